@@ -1,0 +1,205 @@
+# One function for each kind of target; nothing is written out by hand twice.
+
+# Warnings are errors for our code. Paths in objects are relative to the root:
+# reports show them, and the judge tells shown from hidden cases by them.
+function(course_options target)
+    target_include_directories(${target} PUBLIC ${CMAKE_SOURCE_DIR})
+    target_compile_options(
+        ${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wconversion
+                          -Wsign-conversion -Werror
+                          -fmacro-prefix-map=${CMAKE_SOURCE_DIR}/=)
+    set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+endfunction()
+
+# course_library(name SOURCES... LINK...)
+function(course_library name)
+    cmake_parse_arguments(ARG "" "" "SOURCES;LINK" ${ARGN})
+    add_library(${name} STATIC ${ARG_SOURCES})
+    course_options(${name})
+    target_link_libraries(${name} PUBLIC ${ARG_LINK})
+endfunction()
+
+# One test program per *_test.cpp of a folder, linked with Catch2's main.
+# course_tests(folder LINK...)
+function(course_tests folder)
+    cmake_parse_arguments(ARG "" "" "LINK" ${ARGN})
+    if(NOT COURSE_TESTS)
+        return()
+    endif()
+    file(GLOB tests CONFIGURE_DEPENDS ${folder}/*_test.cpp)
+    foreach(test ${tests})
+        get_filename_component(name ${test} NAME_WE)
+        add_executable(${name} ${test})
+        course_options(${name})
+        target_compile_definitions(
+            ${name} PRIVATE COURSE_SOURCE_DIR="${CMAKE_SOURCE_DIR}"
+                            COURSE_BINARY_DIR="${CMAKE_BINARY_DIR}")
+        target_link_libraries(${name} PRIVATE ${ARG_LINK} course_test_main)
+        add_test(NAME ${name} COMMAND ${name}
+                 WORKING_DIRECTORY ${CMAKE_SOURCE_DIR})
+    endforeach()
+endfunction()
+
+# The headers of the project that `ARGN` include, directly or not, and they.
+function(course_included_headers result)
+    set(found ${ARGN})
+    set(todo ${ARGN})
+    while(todo)
+        list(POP_FRONT todo header)
+        file(STRINGS ${header} lines REGEX "^#include \"")
+        foreach(line ${lines})
+            string(REGEX REPLACE ".*\"(.*)\".*" "${CMAKE_SOURCE_DIR}/\\1" path
+                                 "${line}")
+            if(NOT path IN_LIST found)
+                list(APPEND found ${path})
+                list(APPEND todo ${path})
+            endif()
+        endforeach()
+    endwhile()
+    set(${result} ${found} PARENT_SCOPE)
+endfunction()
+
+# The declaration of the exercise's function, from its contract: sets `result`
+# to "ReturnType;parameters;names of the parameters separated by commas".
+function(course_read_contract header function result_type parameters names)
+    file(READ ${header} text)
+    string(REGEX REPLACE "//[^\n]*" "" text "${text}")
+    string(REGEX REPLACE "#[^\n]*" "" text "${text}")
+    # Brackets would confuse CMake's lists.
+    string(REGEX REPLACE "[[][^]]*[]]" "" text "${text}")
+    if(NOT text MATCHES
+       "([A-Za-z_][A-Za-z_0-9:<>, \n]*[ \n>&*])${function}[(]([^()]*)[)]")
+        message(FATAL_ERROR "${header}: expected the declaration of ${function}")
+    endif()
+    set(type "${CMAKE_MATCH_1}")
+    set(list "${CMAKE_MATCH_2}")
+    string(STRIP "${type}" type)
+    string(REGEX REPLACE "<[^<>]*>" "" plain "${list}")
+    string(REGEX REPLACE "<[^<>]*>" "" plain "${plain}")
+    string(REGEX MATCHALL "[A-Za-z_][A-Za-z_0-9]*[ \n]*(,|$)" found "${plain}")
+    string(REGEX REPLACE "[ \n,]" "" found "${found}")
+    string(REPLACE ";" ", " found "${found}")
+    set(${result_type} "${type}" PARENT_SCOPE)
+    set(${parameters} "${list}" PARENT_SCOPE)
+    set(${names} "${found}" PARENT_SCOPE)
+endfunction()
+
+# The two generated sources of an exercise: the proxy that the judge calls, and
+# the entry that the worker calls.
+function(course_generate_glue topic name)
+    set(header exercises/${topic}/${name}.h)
+    set(glue ${CMAKE_BINARY_DIR}/glue)
+    if(EXISTS ${CMAKE_SOURCE_DIR}/exercises/${topic}/${name}.csv)
+        file(CONFIGURE OUTPUT ${glue}/${name}_data.cpp CONTENT
+"// Generated: the submitted file of a data exercise.
+#include \"${header}\"
+#include \"course/runner/submitted_table.h\"
+
+std::vector<std::vector<TableCell>> ${name}() {
+    return course::submitted_table();
+}
+")
+        return()
+    endif()
+    course_read_contract(${CMAKE_SOURCE_DIR}/${header} ${name} type parameters
+                         names)
+    file(CONFIGURE OUTPUT ${glue}/${name}_proxy.cpp CONTENT
+"// Generated: stands in for the student's function in the judge.
+#include \"${header}\"
+#include \"course/runner/proxy.h\"
+
+${type} ${name}(${parameters}) {
+    return course::remote_call<${type}>(\"${name}\", ${names});
+}
+")
+    file(CONFIGURE OUTPUT ${glue}/${name}_entry.cpp CONTENT
+"// Generated: what the worker calls in a submission.
+#include \"${header}\"
+#include \"course/runner/worker.h\"
+
+extern \"C\" const course::Entry course_entry;
+constinit const course::Entry course_entry = course::entry_for<&${name}>();
+")
+endfunction()
+
+# A suite: compiled once, linked into every judge of its exercise.
+function(course_suite target source)
+    add_library(${target} OBJECT ${source})
+    course_options(${target})
+    target_link_libraries(${target} PRIVATE course_judge)
+    target_precompile_headers(${target} REUSE_FROM course_judge)
+endfunction()
+
+# A judge in judges/<kind>/<name>: suites, and what they call.
+# course_judge(kind name SOURCES... SUITES... LINK...)
+function(course_judge kind name)
+    cmake_parse_arguments(ARG "" "" "SOURCES;SUITES;LINK" ${ARGN})
+    set(target judge_${kind}_${name})
+    add_executable(${target} ${ARG_SOURCES})
+    course_options(${target})
+    foreach(suite ${ARG_SUITES})
+        target_sources(${target} PRIVATE $<TARGET_OBJECTS:${suite}>)
+    endforeach()
+    target_link_libraries(${target} PRIVATE ${ARG_LINK} course_judge
+                                            course_judge_main)
+    set_target_properties(
+        ${target} PROPERTIES OUTPUT_NAME ${name} RUNTIME_OUTPUT_DIRECTORY
+                             ${CMAKE_BINARY_DIR}/judges/${kind})
+endfunction()
+
+# What the worker calls, compiled once, where the compile step finds it.
+function(course_entry name)
+    add_library(${name}_entry OBJECT ${CMAKE_BINARY_DIR}/glue/${name}_entry.cpp)
+    course_options(${name}_entry)
+    set(file ${CMAKE_BINARY_DIR}/student/entries/${name}.o)
+    add_custom_command(
+        OUTPUT ${file}
+        COMMAND ${CMAKE_COMMAND} -E copy $<TARGET_OBJECTS:${name}_entry> ${file}
+        DEPENDS ${name}_entry $<TARGET_OBJECTS:${name}_entry>)
+    add_custom_target(${name}_entry_file ALL DEPENDS ${file})
+endfunction()
+
+# All targets of one exercise, from the files that it consists of:
+#   judges/lab/<name>        public suite against a submission
+#   judges/grade/<name>      public and hidden suite against a submission
+#   judges/reference/<name>  the same against the reference, in process
+function(course_add_exercise topic name)
+    if(NOT EXISTS ${CMAKE_SOURCE_DIR}/exercises/${topic}/${name}_test.cpp)
+        message(WARNING "exercises/${topic}/${name}.h: the exercise has no "
+                        "public suite ${name}_test.cpp, it is left out")
+        return()
+    endif()
+    course_generate_glue(${topic} ${name})
+    if(EXISTS ${CMAKE_SOURCE_DIR}/exercises/${topic}/${name}.csv)
+        set(proxy ${CMAKE_BINARY_DIR}/glue/${name}_data.cpp)
+        set(reference ${proxy})
+    else()
+        set(proxy ${CMAKE_BINARY_DIR}/glue/${name}_proxy.cpp)
+        set(reference ${CMAKE_SOURCE_DIR}/solutions/${topic}/${name}.cpp)
+        course_entry(${name})
+    endif()
+    set(hidden ${CMAKE_SOURCE_DIR}/grader/suites/${topic}/${name}_test.cpp)
+
+    course_suite(${name}_shown
+                 ${CMAKE_SOURCE_DIR}/exercises/${topic}/${name}_test.cpp)
+    course_judge(lab ${name} SOURCES ${proxy} SUITES ${name}_shown)
+    if(NOT EXISTS ${hidden})
+        return()
+    endif()
+    course_suite(${name}_hidden ${hidden})
+    course_judge(grade ${name} SOURCES ${proxy}
+                 SUITES ${name}_shown ${name}_hidden LINK course_oracle)
+    course_judge(reference ${name} SOURCES ${reference}
+                 SUITES ${name}_shown ${name}_hidden LINK course_oracle)
+endfunction()
+
+# An exercise is added by adding its files: each contract makes one.
+function(course_add_all_exercises)
+    file(GLOB contracts CONFIGURE_DEPENDS RELATIVE
+         ${CMAKE_SOURCE_DIR}/exercises ${CMAKE_SOURCE_DIR}/exercises/*/*.h)
+    foreach(contract ${contracts})
+        get_filename_component(topic ${contract} DIRECTORY)
+        get_filename_component(name ${contract} NAME_WE)
+        course_add_exercise(${topic} ${name})
+    endforeach()
+endfunction()

@@ -1,0 +1,210 @@
+// The parts of the subscript that stay out of the student's object file: the
+// check without optimisation, the record of reads, and the messages.
+#include "course/halfedge/half_edge_table.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#if COURSE_TABLE != 0
+
+inline namespace COURSE_TABLE_NAMESPACE {
+
+namespace {
+
+int line_of(HalfEdgeIndex at) {
+#if COURSE_TABLE == 1
+    return static_cast<int>(at.place);
+#else
+    return static_cast<int>(at.place / 4096);
+#endif
+}
+
+std::string at_line(int line) {
+    return line > 0 ? fmt::format(" at line {}", line) : std::string();
+}
+
+std::string what_minus_one_means(const HalfEdge& row) {
+    if (row.fi != -1) return "";
+    return ": a face index of -1 means that the half-edge is on the border";
+}
+
+/// Which field of the last rows read holds the index `bad`: where it may come
+/// from. Empty when none of them does.
+std::string origin(const std::vector<HalfEdge>& rows, int bad,
+                   const std::vector<Visit>& visits) {
+    constexpr std::size_t look_back = 3;
+    for (std::size_t k = 0; k < std::min(look_back, visits.size()); ++k) {
+        const Visit& visit = visits[visits.size() - 1 - k];
+        const HalfEdge& row = rows[static_cast<std::size_t>(visit.i)];
+        std::vector<std::string> fields;
+        if (row.vi == bad) fields.push_back(fmt::format("he[{}].vi", visit.i));
+        if (row.fi == bad) fields.push_back(fmt::format("he[{}].fi", visit.i));
+        if (row.next == bad)
+            fields.push_back(fmt::format("he[{}].next", visit.i));
+        if (row.opp == bad)
+            fields.push_back(fmt::format("he[{}].opp", visit.i));
+        if (fields.empty()) continue;
+        return fmt::format(" {} is the value of {}, read{}{}", bad,
+                           fmt::join(fields, " and "), at_line(visit.line),
+                           bad == -1 ? what_minus_one_means(row) : "");
+    }
+    return fmt::format(
+        " {} is no value of the half-edges read last: does the variable have "
+        "a value yet?",
+        bad);
+}
+
+std::string no_such_row(const std::vector<HalfEdge>& rows, int bad, int line,
+                        const std::vector<Visit>& visits) {
+    const std::string where = line > 0 ? fmt::format("line {}: ", line) : "";
+    if (rows.empty())
+        return fmt::format(
+            "{}he[{}] does not exist: the table is empty, it has no half-edges",
+            where, bad);
+    std::string why;
+    if (!visits.empty()) why = "." + origin(rows, bad, visits);
+    return fmt::format(
+        "{}he[{}] does not exist: the table has {} half-edges, 0..{}{}", where,
+        bad, rows.size(), rows.size() - 1, why);
+}
+
+/// The shortest sequence of visits that the walk has repeated to the end.
+std::vector<Visit> cycle(const std::vector<Visit>& visits) {
+    const std::size_t n = visits.size();
+    for (std::size_t period = 1; 2 * period <= n; ++period)
+        if (std::equal(visits.begin() + static_cast<std::ptrdiff_t>(period),
+                       visits.end(), visits.begin()))
+            return {visits.end() - static_cast<std::ptrdiff_t>(period),
+                    visits.end()};
+    return {};
+}
+
+std::string path(const std::vector<Visit>& visits) {
+    std::string text;
+    int last = -1;
+    for (const Visit& visit : visits) {
+        if (visit.i == last) continue;
+        last = visit.i;
+        text += fmt::format("{}he[{}]", text.empty() ? "" : " ", visit.i);
+    }
+    return text;
+}
+
+std::string endless(const std::vector<Visit>& repeated, std::int64_t budget,
+                    int start) {
+    std::string text = fmt::format(
+        "the walk does not end: {} {} visited again and again (stopped after "
+        "{} reads)",
+        path(repeated), repeated.size() == 1 ? "is" : "are", budget);
+    const bool met = std::any_of(repeated.begin(), repeated.end(),
+                                 [&](const Visit& v) { return v.i == start; });
+    if (start >= 0 && !met)
+        text += fmt::format("; the start, he[{}], is never met again", start);
+    if (start >= 0 && met)
+        text += fmt::format(
+            "; it passes the start, he[{}], but does not stop there", start);
+    return text;
+}
+
+}  // namespace
+
+int HalfEdgeTable::copy_last_visits(Visit* to) const {
+    const auto n = static_cast<int>(std::min<std::int64_t>(reads(), ring_size));
+    for (int k = n - 1; k >= 0; --k)
+        *to++ = ring_[(left_ + k) & (ring_size - 1)];
+    return n;
+}
+
+std::vector<Visit> HalfEdgeTable::last_visits() const {
+    std::vector<Visit> visits(ring_size);
+    visits.resize(static_cast<std::size_t>(copy_last_visits(visits.data())));
+    return visits;
+}
+
+void HalfEdgeTable::note_reads(std::int64_t reads,
+                               const std::vector<Visit>& last) const {
+    left_ = std::max<std::int64_t>(left_ - reads, 0);
+    for (std::size_t k = 0; k < last.size(); ++k)
+        ring_[(left_ + static_cast<std::int64_t>(last.size() - 1 - k)) &
+              (ring_size - 1)] = last[k];
+}
+
+const HalfEdge* HalfEdgeTable::checked_row(HalfEdgeIndex at) const {
+    if (static_cast<std::uint64_t>(at.i) >= rows_.size() || left_ <= 0)
+        [[unlikely]] fail(at);
+    note(at);
+    return rows_.data() + at.i;
+}
+
+void HalfEdgeTable::charge() const {
+    HalfEdgeIndex at(0);
+    at.place = 0;  // a loop over the whole table has no line of its own
+    for (; at.i < size(); ++at.i) checked_row(at);
+}
+
+void HalfEdgeTable::fail(HalfEdgeIndex at) const {
+    const std::vector<Visit> visits = last_visits();
+    const int line = line_of(at);
+    if (static_cast<std::uint64_t>(at.i) >= rows_.size())
+        throw OutOfTable(
+            no_such_row(rows_, static_cast<int>(at.i), line, visits));
+    const std::string where = line > 0 ? fmt::format("line {}: ", line) : "";
+    const std::vector<Visit> repeated = cycle(visits);
+    if (!repeated.empty())
+        throw TooManyReads(where + endless(repeated, budget_, start_));
+    if (exact_)
+        throw TooManyReads(fmt::format(
+            "{}more than {} reads of the table: the exercise allows a fixed "
+            "number for each step of the walk, however large the mesh is",
+            where, budget_));
+    throw TooManyReads(fmt::format(
+        "{}stopped after {} reads of the table: the walk does not end", where,
+        budget_));
+}
+
+#if COURSE_TABLE == 2
+
+void HalfEdgeTable::start_trace() const {
+    // Stands for what happens before the first subscript, as a push_back.
+    events_ = {TraceEvent{-1, 0, 0, {}}};
+    shadow_ = rows_;
+    tracing_ = true;
+}
+
+std::vector<TraceEvent> HalfEdgeTable::stop_trace() const {
+    note_changes();
+    tracing_ = false;
+    return std::move(events_);
+}
+
+void HalfEdgeTable::note_changes() const {
+    if (!tracing_) return;
+    shadow_.resize(rows_.size());
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+        const HalfEdge& was = shadow_[i];
+        const HalfEdge& is = rows_[i];
+        const int before[] = {was.vi, was.fi, was.next, was.opp};
+        const int after[] = {is.vi, is.fi, is.next, is.opp};
+        for (int field = 0; field < 4; ++field)
+            if (before[field] != after[field])
+                events_.back().changes.push_back({static_cast<int>(i), field,
+                                                  before[field], after[field]});
+        shadow_[i] = is;
+    }
+}
+
+void HalfEdgeTable::note(HalfEdgeIndex at) const {
+    ring_[--left_ & (ring_size - 1)] = {static_cast<int>(at.i), line_of(at)};
+    if (!tracing_) return;
+    note_changes();
+    events_.push_back({static_cast<int>(at.i), line_of(at),
+                       static_cast<int>(at.place % 4096),
+                       {}});
+}
+
+#endif
+
+}  // namespace COURSE_TABLE_NAMESPACE
+
+#endif

@@ -1,0 +1,264 @@
+// The half-edge table that every exercise walks on: the record, and the
+// subscript in its three builds. This is all that a student's file sees.
+#pragma once
+
+#include <cstdint>
+#include <initializer_list>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+// COURSE_TABLE chooses the build of the subscript; the student's source is the
+// same in all three.
+//   0  plain    vector access, nothing else: benchmarks
+//   1  checked  range check, read budget, the last reads with their lines
+//   2  traced   as checked, and each read and write is recorded for replay
+#ifndef COURSE_TABLE
+#define COURSE_TABLE 1
+#endif
+
+#if COURSE_TABLE == 0
+#define COURSE_TABLE_NAMESPACE plain_table
+#elif COURSE_TABLE == 1
+#define COURSE_TABLE_NAMESPACE checked_table
+#else
+#define COURSE_TABLE_NAMESPACE traced_table
+#if defined(__clang__) || !__has_include(<source_location>)
+#define COURSE_LINE_AND_COLUMN                                        \
+    std::int64_t line = __builtin_LINE(),                             \
+                 std::int64_t column = __builtin_COLUMN()
+#else
+#include <source_location>
+#endif
+#endif
+
+// One namespace per build: objects of two builds never link by accident.
+inline namespace COURSE_TABLE_NAMESPACE {
+
+/// One row of the table: a half-edge, as on the slides. (Lecture "half-edge",
+/// slide 166)
+struct HalfEdge {
+    int vi = -1;    ///< the vertex that it leaves
+    int fi = -1;    ///< the face that it runs along; -1 on the border
+    int next = -1;  ///< the half-edge after it, on the same face or border
+    int opp = -1;   ///< the other half-edge of the same edge; never -1
+
+    friend bool operator==(const HalfEdge&, const HalfEdge&) = default;
+};
+
+/// One use of the subscript: which row, and from which line of the source.
+struct Visit {
+    int i = -1;
+    int line = 0;
+
+    friend bool operator==(const Visit&, const Visit&) = default;
+};
+
+/// Thrown by he[i] when the table has no row i.
+struct OutOfTable : std::out_of_range {
+    using std::out_of_range::out_of_range;
+};
+
+/// Thrown by he[i] when a call has used up its budget of reads: its walk does
+/// not end, or it looks at more rows than the exercise allows.
+struct TooManyReads : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+#if COURSE_TABLE == 0
+using HalfEdgeIndex = int;
+#elif COURSE_TABLE == 1
+/// What he[...] takes: an int, and the line it is written on. Students never
+/// name it. Two words, so that both compilers pass it in registers.
+struct HalfEdgeIndex {
+    std::int64_t i;
+    std::int64_t place;  // the line
+
+    // NOLINTNEXTLINE(google-explicit-constructor): he[i] converts i to it
+    constexpr HalfEdgeIndex(int index, int at = __builtin_LINE())
+        : i(index), place(at) {}
+};
+#else
+/// As in the checked build, with the column.
+struct HalfEdgeIndex {
+    std::int64_t i;
+    std::int64_t place;  // line * 4096 + column
+
+#ifdef COURSE_LINE_AND_COLUMN
+    // NOLINTNEXTLINE(google-explicit-constructor): he[i] converts i to it
+    constexpr HalfEdgeIndex(int index, COURSE_LINE_AND_COLUMN)
+        : i(index), place(line * 4096 + (column < 4095 ? column : 4095)) {}
+#else
+    // NOLINTNEXTLINE(google-explicit-constructor): he[i] converts i to it
+    constexpr HalfEdgeIndex(
+        int index, std::source_location at = std::source_location::current())
+        : i(index),
+          place(std::int64_t{at.line()} * 4096 +
+                (at.column() < 4095 ? at.column() : 4095)) {}
+#endif
+};
+#endif
+
+#if COURSE_TABLE == 2
+/// A field of the table that changed: which, and from what to what.
+struct Change {
+    int i;
+    int field;  ///< 0 vi, 1 fi, 2 next, 3 opp
+    int before;
+    int after;
+};
+
+/// One use of the subscript in the traced build, and the changes of the table
+/// that were seen after it and before the next one. The first event of a trace
+/// is no subscript: it has the changes before all of them.
+struct TraceEvent {
+    int i;  ///< -1 in the first event
+    int line;
+    int column;  ///< as the compiler gives it: at or inside the brackets
+    std::vector<Change> changes;
+};
+#endif
+
+/// The table `he`: he[i] is half-edge i, 0 <= i < he.size(). A class, not a
+/// vector, for the sake of what the subscript checks; in use it is the same.
+class HalfEdgeTable {
+public:
+    using value_type = HalfEdge;
+    using iterator = HalfEdge*;
+    using const_iterator = const HalfEdge*;
+
+    HalfEdgeTable() = default;
+    HalfEdgeTable(std::initializer_list<HalfEdge> rows) : rows_(rows) {}
+    explicit HalfEdgeTable(std::vector<HalfEdge> rows)
+        : rows_(std::move(rows)) {}
+
+    /// Number of half-edges: twice the number of edges.
+    int size() const { return static_cast<int>(rows_.size()); }
+    bool empty() const { return rows_.empty(); }
+
+    /// Adds a row; its index is the size before.
+    void push_back(const HalfEdge& row) { rows_.push_back(row); }
+
+    /// Row i. Constant time.
+    /// Throws OutOfTable when there is no such row, TooManyReads when the
+    /// budget of the call is used up; the plain build checks nothing.
+    [[gnu::always_inline]] const HalfEdge& operator[](HalfEdgeIndex i) const {
+        return *row(i);
+    }
+    [[gnu::always_inline]] HalfEdge& operator[](HalfEdgeIndex i) {
+        return *const_cast<HalfEdge*>(row(i));
+    }
+
+    /// All rows in order; counts as reading each of them.
+    iterator begin() { return charge(), rows_.data(); }
+    iterator end() { return rows_.data() + rows_.size(); }
+    const_iterator begin() const { return charge(), rows_.data(); }
+    const_iterator end() const { return rows_.data() + rows_.size(); }
+
+    friend bool operator==(const HalfEdgeTable& a, const HalfEdgeTable& b) {
+        return a.rows_ == b.rows_;
+    }
+
+    // ---- for the course's own code: what a call read, and how much it may
+
+    /// The rows, unchecked and uncounted.
+    const std::vector<HalfEdge>& rows() const { return rows_; }
+
+#if COURSE_TABLE != 0
+    /// Reads that a call may make when nothing else is said: enough for any
+    /// honest walk, and used up by an endless one in milliseconds.
+    std::int64_t default_budget() const {
+        return 100'000 + 64 * static_cast<std::int64_t>(rows_.size());
+    }
+
+    /// What a table may be read while nobody watches: still ends an endless
+    /// walk, in a second.
+    static constexpr std::int64_t unwatched = std::int64_t{1} << 28;
+
+    /// Starts a call: forgets all reads, allows `budget` new ones. `start` is
+    /// the half-edge that the call is given, or -1; messages name it.
+    void begin_call(std::int64_t budget, int start = -1) const {
+        budget_ = left_ = budget;
+        start_ = start;
+        exact_ = budget != default_budget();
+    }
+
+    /// Reads since begin_call, and how many more are allowed.
+    std::int64_t reads() const { return budget_ - left_; }
+    std::int64_t reads_left() const { return left_; }
+
+    /// The last reads, at most 64, oldest first.
+    std::vector<Visit> last_visits() const;
+
+    /// The same into `to`, room for `last_visits_size`; returns how many. Safe
+    /// in a signal handler.
+    static constexpr int last_visits_size = 64;
+    int copy_last_visits(Visit* to) const;
+
+    /// Takes over the reads that the same call made on a copy of this table in
+    /// another process.
+    void note_reads(std::int64_t reads, const std::vector<Visit>& last) const;
+#endif
+
+#if COURSE_TABLE == 2
+    /// Starts and ends recording; the events recorded so far are kept.
+    void start_trace() const;
+    std::vector<TraceEvent> stop_trace() const;
+#endif
+
+private:
+    std::vector<HalfEdge> rows_;
+
+#if COURSE_TABLE == 0
+    [[gnu::always_inline]] const HalfEdge* row(int i) const {
+        return rows_.data() + static_cast<std::size_t>(i);
+    }
+    void charge() const {}
+};
+#else
+    static constexpr int ring_size = last_visits_size;
+
+    // Mutable: reading through a const table is what is counted.
+    mutable std::int64_t budget_ = unwatched;
+    mutable std::int64_t left_ = unwatched;
+    mutable int start_ = -1;
+    mutable bool exact_ = false;  // the exercise fixed the budget
+    mutable Visit ring_[ring_size];
+
+    // Without optimisation the whole check is one call into code that was
+    // compiled with it; with optimisation it is inlined.
+#ifdef __OPTIMIZE__
+    [[gnu::always_inline]] const HalfEdge* row(HalfEdgeIndex at) const {
+        if (static_cast<std::uint64_t>(at.i) >= rows_.size() || left_ <= 0)
+            [[unlikely]] fail(at);
+        note(at);
+        return rows_.data() + at.i;
+    }
+#else
+    [[gnu::always_inline]] const HalfEdge* row(HalfEdgeIndex at) const {
+        return checked_row(at);
+    }
+#endif
+    const HalfEdge* checked_row(HalfEdgeIndex at) const;
+    void charge() const;
+    [[noreturn]] void fail(HalfEdgeIndex at) const;
+
+#if COURSE_TABLE == 1
+    void note(HalfEdgeIndex at) const {
+        ring_[--left_ & (ring_size - 1)] = {static_cast<int>(at.i),
+                                            static_cast<int>(at.place)};
+    }
+};
+#else
+    void note(HalfEdgeIndex at) const;
+    void note_changes() const;
+
+    mutable bool tracing_ = false;
+    mutable std::vector<HalfEdge> shadow_;  // the table at the last event
+    mutable std::vector<TraceEvent> events_;
+};
+#endif
+#endif
+
+}  // namespace COURSE_TABLE_NAMESPACE

@@ -1,0 +1,370 @@
+#include "course/runner/client.h"
+
+#include <fmt/format.h>
+#include <poll.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <csignal>
+#include <random>
+
+namespace course {
+
+namespace {
+
+Client* the_client = nullptr;
+
+// A launcher that does not answer for so long is broken, or the machine is:
+// a fault of the grader, never of the submission.
+constexpr std::chrono::seconds launcher_patience{20};
+
+// Tables up to this size are compared row by row before they are taken for one
+// that the worker already has; of larger ones a sample.
+constexpr std::size_t small_table = 4096;
+constexpr std::size_t most_tables = 64;
+
+bool same_rows(const std::vector<HalfEdge>& sent,
+               const std::vector<HalfEdge>& now) {
+    if (sent.size() != now.size()) return false;
+    if (now.size() <= small_table) return sent == now;
+    const std::size_t step = now.size() / 64;
+    for (std::size_t k = 0; k < now.size(); k += step)
+        if (sent[k] != now[k]) return false;
+    return true;
+}
+
+std::uint64_t nonce() {
+    static std::random_device source;
+    return std::uint64_t{source()} << 32 | source();
+}
+
+std::string signal_text(int signal) {
+    switch (signal) {
+        case SIGSEGV: return "segmentation fault: it used a bad pointer or an "
+                             "index far outside an array";
+        case SIGBUS: return "bus error: it used a bad pointer";
+        case SIGFPE: return "arithmetic error: a division by zero?";
+        case SIGILL: return "illegal instruction: does every path of the "
+                            "function return a value?";
+        case SIGABRT: return "aborted: an assertion of the library failed, or "
+                             "an exception was not caught";
+        case SIGTRAP: return "trapped: does every path of the function return "
+                             "a value?";
+        default: return fmt::format("ended by signal {}", signal);
+    }
+}
+
+std::string crash_text(const Crash& crash) {
+    std::string text =
+        crash.stack_overflow != 0
+            ? "the stack is full: a recursion that does not end?"
+            : signal_text(crash.signal);
+    const int n = std::clamp(crash.visit_count, 0, 64);
+    if (n > 0)
+        text += fmt::format("; the last use of the table was he[{}] at line {}",
+                            crash.visits[n - 1][0], crash.visits[n - 1][1]);
+    return text;
+}
+
+std::string out_of_memory_text(const Limits& limits) {
+    return fmt::format("the program asked for more than {} MiB of memory",
+                       limits.memory_mib);
+}
+
+/// The student's exception as the same standard type, so that a suite can ask
+/// for it by type.
+[[noreturn]] void rethrow(const std::string& type, const std::string& text) {
+    if (type == "std::invalid_argument") throw std::invalid_argument(text);
+    if (type == "std::domain_error") throw std::domain_error(text);
+    if (type == "std::out_of_range") throw std::out_of_range(text);
+    if (type == "std::length_error") throw std::length_error(text);
+    if (type == "std::logic_error") throw std::logic_error(text);
+    if (type == "std::runtime_error") throw std::runtime_error(text);
+    throw StudentException(type + ": " + text);
+}
+
+}  // namespace
+
+Client::Client(Descriptor control, const Limits& limits)
+    : control_(std::move(control)), limits_(limits) {}
+
+Client* Client::current() { return the_client; }
+
+void Client::set_current(Client* client) { the_client = client; }
+
+void Client::begin_case() {
+    poisoned_ = false;
+    last_call_ = {};
+    output_.reset();
+    case_end_ = Clock::now() + std::chrono::milliseconds(limits_.case_ms);
+}
+
+void Client::end_case() {
+    channel_.reset();
+    end_worker();
+}
+
+LauncherEvent Client::wait_for_event(Event wanted,
+                                     std::chrono::milliseconds most) {
+    const auto until = Clock::now() + most;
+    for (;;) {
+        std::string bytes;
+        LauncherEvent event{};
+        if (receive_all(control_.get(), bytes, sizeof event, until) !=
+            Transfer::done)
+            throw SystemError("the sandbox does not answer");
+        std::memcpy(&event, bytes.data(), sizeof event);
+        if (event.generation != generation_) continue;
+        if (event.event == Event::not_started)
+            throw SystemError(fmt::format("no worker could be started: {}",
+                                          std::strerror(event.status)));
+        if (event.event == wanted) return event;
+    }
+}
+
+void Client::start_worker() {
+    DescriptorPair ends = socket_pair();
+    output_ = anonymous_file();
+    channel_ = std::move(ends.first);
+    const LauncherOrder order{Order::start_worker, ++generation_, limits_};
+    const int passed[] = {ends.second.get(), output_.get()};
+    const std::string_view bytes(reinterpret_cast<const char*>(&order),
+                                 sizeof order);
+    if (send_all(control_.get(), bytes, Clock::now() + launcher_patience,
+                 passed) != Transfer::done)
+        throw SystemError("the sandbox is gone");
+    wait_for_event(Event::started, launcher_patience);
+    alive_ = true;
+    crash_.reset();
+}
+
+void Client::end_worker() {
+    if (!alive_) return;
+    alive_ = false;
+    const LauncherOrder order{Order::end_worker, generation_, limits_};
+    const std::string_view bytes(reinterpret_cast<const char*>(&order),
+                                 sizeof order);
+    if (send_all(control_.get(), bytes, Clock::now() + launcher_patience) !=
+        Transfer::done)
+        throw SystemError("the sandbox is gone");
+    wait_for_event(Event::ended, launcher_patience);
+}
+
+Client::SentTable& Client::known_table(const HalfEdgeTable& table) {
+    const std::vector<HalfEdge>& rows = table.rows();
+    for (SentTable& sent : sent_)
+        if ((rows.size() <= small_table || sent.rows == rows.data()) &&
+            same_rows(sent.copy, rows))
+            return sent;
+    if (sent_.size() >= most_tables) sent_.pop_front();
+    sent_.push_back({next_table_++, rows.data(), rows, 0});
+    return sent_.back();
+}
+
+void Client::add_table(Request& request, const HalfEdgeTable& table) {
+    SentTable& known = known_table(table);
+    if (known.generation != generation_) {
+        known.generation = generation_;
+        ++request.table_count;
+        put(request.tables, known.id);
+        put(request.tables, table);
+    }
+    put(request.arguments, known.id);
+    put(request.arguments,
+        std::min(table.reads_left(), table.default_budget()));
+    if (request.walked == nullptr) request.walked = &table;
+}
+
+Clock::time_point Client::deadline() const {
+    const int most = timeouts_ == 0 ? limits_.call_ms : limits_.later_call_ms;
+    return std::min(case_end_, Clock::now() + std::chrono::milliseconds(most));
+}
+
+void Client::begin_call() {
+    if (poisoned_) throw WorkerFailed{};
+    if (for_good_) fail(for_good_->first, for_good_->second);
+    if (alive_) return;
+    try {
+        start_worker();
+    } catch (const SystemError& error) {
+        for_good_ = {Verdict::grader_fault, error.what()};
+        fail(for_good_->first, for_good_->second);
+    }
+}
+
+std::string Client::call(Request request) {
+    walked_ = request.walked;
+    if (has_input(channel_.get()))
+        fail(Verdict::forbidden_operation,
+             "the program wrote to the grader's channel before it was asked");
+    FrameHead head{request_magic, CallStatus::returned, 0, nonce()};
+    head.length = sizeof request.table_count + request.tables.bytes.size() +
+                  request.arguments.bytes.size();
+    const auto until = deadline();
+    send(head, request, until);
+    std::string body;
+    const FrameHead reply = receive(head, body, until);
+    return result_of(reply, body);
+}
+
+void Client::send(const FrameHead& head, const Request& request,
+                  Clock::time_point until) {
+    Writer frame;
+    frame.raw(&head, sizeof head);
+    put(frame, request.table_count);
+    frame.bytes += request.tables.bytes;
+    frame.bytes += request.arguments.bytes;
+    switch (send_all(channel_.get(), frame.bytes, until)) {
+        case Transfer::done: return;
+        case Transfer::closed: worker_is_gone();
+        case Transfer::timed_out:
+            ran_out_of_time("the program does not take its input");
+    }
+}
+
+FrameHead Client::receive(const FrameHead& request, std::string& body,
+                          Clock::time_point until) {
+    const auto take = [&](std::size_t size) {
+        switch (receive_all(channel_.get(), body, size, until)) {
+            case Transfer::done: return;
+            case Transfer::closed: worker_is_gone();
+            case Transfer::timed_out: ran_out_of_time("no answer");
+        }
+    };
+    FrameHead reply{};
+    take(sizeof reply);
+    std::memcpy(&reply, body.data(), sizeof reply);
+    if (reply.magic != reply_magic || reply.nonce != request.nonce)
+        malformed("it is no answer to the question that was asked");
+    if (reply.length > static_cast<std::uint64_t>(limits_.reply_mib) << 20)
+        fail(Verdict::memory_limit_exceeded,
+             fmt::format("the result is larger than {} MiB",
+                         limits_.reply_mib));
+    take(static_cast<std::size_t>(reply.length));
+    return reply;
+}
+
+void Client::take_trace(Reader& in) {
+    last_call_.reads = get<std::int64_t>(in);
+    const auto pairs = get<std::vector<std::int32_t>>(in);
+    const std::size_t n = std::min<std::size_t>(pairs.size() / 2, 64);
+    last_call_.walk.clear();
+    for (std::size_t k = 0; k < n; ++k)
+        last_call_.walk.push_back({pairs[2 * k], pairs[2 * k + 1]});
+    if (walked_ != nullptr)
+        walked_->note_reads(std::max<std::int64_t>(last_call_.reads, 0),
+                            last_call_.walk);
+}
+
+void Client::note_crash(const std::string& body) {
+    if (body.size() != sizeof(Crash)) return;
+    crash_.emplace();
+    std::memcpy(&*crash_, body.data(), sizeof(Crash));
+    last_call_.walk.clear();
+    last_call_.reads = std::clamp(crash_->visit_count, 0, 64);
+    for (int k = 0; k < last_call_.reads; ++k)
+        last_call_.walk.push_back({crash_->visits[k][0], crash_->visits[k][1]});
+}
+
+std::string Client::result_of(const FrameHead& reply, const std::string& body) {
+    if (reply.status == CallStatus::crashed) {
+        note_crash(body);
+        worker_is_gone();
+    }
+    try {
+        Reader in(body);
+        if (reply.status == CallStatus::not_loaded) {
+            for_good_ = {Verdict::compile_error, get<std::string>(in)};
+            fail(for_good_->first, for_good_->second);
+        }
+        take_trace(in);
+        switch (reply.status) {
+            case CallStatus::returned: return std::string(in.take(in.left()));
+            case CallStatus::out_of_table:
+                fail(Verdict::run_time_error, get<std::string>(in));
+            case CallStatus::too_many_reads:
+                fail(Verdict::time_limit_exceeded, get<std::string>(in));
+            case CallStatus::out_of_memory:
+                fail(Verdict::memory_limit_exceeded,
+                     out_of_memory_text(limits_));
+            case CallStatus::threw: {
+                const auto type = get<std::string>(in);
+                rethrow(type, get<std::string>(in));
+            }
+            default: break;
+        }
+    } catch (const CodecError& error) {
+        malformed(error.what());
+    }
+    malformed("its status is unknown");
+}
+
+std::string Client::printed() const {
+    if (!output_) return "";
+    std::string text(2048, '\0');
+    const ssize_t n = ::pread(output_.get(), text.data(), text.size(), 0);
+    text.resize(static_cast<std::size_t>(std::max<ssize_t>(n, 0)));
+    return text;
+}
+
+void Client::fail(Verdict verdict, const std::string& why) {
+    poisoned_ = true;
+    if (on_failure) on_failure(verdict, why);
+    throw WorkerFailed{};
+}
+
+void Client::malformed(const std::string& why) {
+    fail(Verdict::run_time_error,
+         "the program broke its conversation with the grader: " + why);
+}
+
+void Client::ran_out_of_time(const std::string& why) {
+    if (++timeouts_ >= limits_.max_timeouts)
+        for_good_ = {Verdict::time_limit_exceeded,
+                     fmt::format("not run: the program ran out of time in {} "
+                                 "cases before",
+                                 timeouts_)};
+    fail(Verdict::time_limit_exceeded,
+         why + " within the limit of time: a loop that does not end?");
+}
+
+/// The worker has closed its channel or died: asks the launcher how.
+void Client::worker_is_gone() {
+    LauncherEvent event{};
+    try {
+        event = wait_for_event(Event::ended, std::chrono::milliseconds(1000));
+    } catch (const SystemError&) {
+        fail(Verdict::run_time_error,
+             "the program closed its conversation with the grader");
+    }
+    alive_ = false;
+    const int status = event.status;
+    if (crash_ && crash_->out_of_memory != 0)
+        fail(Verdict::memory_limit_exceeded, out_of_memory_text(limits_));
+    if (crash_) fail(Verdict::run_time_error, crash_text(*crash_));
+    if (WIFEXITED(status))
+        fail(Verdict::run_time_error,
+             fmt::format("the program ended itself with exit({}) instead of "
+                         "returning an answer",
+                         WEXITSTATUS(status)));
+    const int signal = WTERMSIG(status);
+    if (signal == SIGSYS)
+        fail(Verdict::forbidden_operation,
+             "the program asked the system for something that is not allowed: "
+             "a file, a process, the network or the like");
+    if (signal == SIGXFSZ)
+        fail(Verdict::run_time_error,
+             fmt::format("the program printed more than {} KiB",
+                         limits_.output_kib));
+    if (signal == SIGXCPU ||
+        (signal == SIGKILL &&
+         event.cpu_us >= std::int64_t{1'000'000} * limits_.cpu_seconds - 100'000))
+        ran_out_of_time("no answer");
+    if (signal == SIGKILL)
+        fail(Verdict::memory_limit_exceeded,
+             "the program was ended from outside: too much memory?");
+    fail(Verdict::run_time_error, signal_text(signal));
+}
+
+}  // namespace course

@@ -1,0 +1,127 @@
+// The judge's side of a submission: calls into a worker, one fresh worker per
+// case, hard limits on time and size, and a record of what went wrong.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <list>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "course/runner/codec.h"
+#include "course/runner/descriptors.h"
+#include "course/runner/limits.h"
+#include "course/runner/protocol.h"
+#include "course/runner/results.h"
+
+namespace course {
+
+/// Thrown when the submission's process failed, after the failure has been
+/// recorded. No std::exception, so that no CHECK_THROWS_AS is satisfied by it.
+struct WorkerFailed {};
+
+/// Thrown when the student's function threw a type that has no twin here.
+struct StudentException : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+/// The last call of the running case, for the message of a failed check. Texts
+/// are made only when a check fails.
+struct LastCall {
+    std::function<std::string()> call;
+    std::function<std::string()> got;
+    std::vector<Visit> walk;
+    std::int64_t reads = 0;
+};
+
+/// A request in the making.
+struct Request {
+    std::uint32_t table_count = 0;
+    Writer tables;
+    Writer arguments;
+    const HalfEdgeTable* walked = nullptr;  ///< the first table argument
+};
+
+/// One submission under judgement. There is at most one in a process: the
+/// suites call plain functions.
+class Client {
+public:
+    /// `control` is the conversation with the launcher.
+    Client(Descriptor control, const Limits& limits);
+
+    /// The client of this process, or null: the functions under test are then
+    /// linked in.
+    static Client* current();
+    static void set_current(Client* client);
+
+    /// A case begins: the next call gets a fresh worker.
+    void begin_case();
+
+    /// The case is over: its worker is ended, and everything that it started.
+    void end_case();
+
+    /// Throws WorkerFailed when no more calls are made in this case, or in this
+    /// run. Comes before the arguments are added.
+    void begin_call();
+
+    /// Adds a table argument: its rows once per worker, then by id.
+    void add_table(Request& request, const HalfEdgeTable& table);
+
+    /// Sends the request; returns the bytes of the result. Throws WorkerFailed,
+    /// or what the student's function threw.
+    std::string call(Request request);
+
+    /// The reply did not decode: records it and throws WorkerFailed.
+    [[noreturn]] void malformed(const std::string& why);
+
+    LastCall& last_call() { return last_call_; }
+
+    /// What the submission printed in this case, at most 2 KiB, as it came.
+    std::string printed() const;
+
+    /// Where a failure of the worker goes: the suite's listener.
+    std::function<void(Verdict, const std::string&)> on_failure;
+
+private:
+    struct SentTable {
+        std::uint64_t id;
+        const HalfEdge* rows;  ///< where the judge's table lies
+        std::vector<HalfEdge> copy;
+        std::uint32_t generation;  ///< the worker that has it
+    };
+
+    void start_worker();
+    void end_worker();
+    LauncherEvent wait_for_event(Event wanted, std::chrono::milliseconds most);
+    SentTable& known_table(const HalfEdgeTable& table);
+    Clock::time_point deadline() const;
+    void send(const FrameHead& head, const Request& request,
+              Clock::time_point until);
+    FrameHead receive(const FrameHead& request, std::string& body,
+                      Clock::time_point until);
+    std::string result_of(const FrameHead& reply, const std::string& body);
+    void take_trace(Reader& in);
+    void note_crash(const std::string& body);
+    [[noreturn]] void ran_out_of_time(const std::string& why);
+    [[noreturn]] void worker_is_gone();
+    [[noreturn]] void fail(Verdict verdict, const std::string& why);
+
+    Descriptor control_;
+    Limits limits_;
+    Descriptor channel_;
+    Descriptor output_;
+    std::uint32_t generation_ = 0;
+    bool alive_ = false;
+    std::optional<std::pair<Verdict, std::string>> for_good_;  ///< no more calls
+    std::optional<Crash> crash_;
+    bool poisoned_ = false;  ///< the case has failed; no more calls in it
+    int timeouts_ = 0;
+    Clock::time_point case_end_;
+    std::list<SentTable> sent_;
+    std::uint64_t next_table_ = 1;
+    LastCall last_call_;
+    const HalfEdgeTable* walked_ = nullptr;
+};
+
+}  // namespace course

@@ -1,0 +1,82 @@
+#include "course/runner/compile.h"
+
+#include <cxxabi.h>
+#include <fmt/format.h>
+
+#include <cstdlib>
+#include <sstream>
+
+namespace course {
+
+namespace {
+
+/// "int face_sides(HalfEdgeTable const&, int)" from its symbol.
+std::string plain_name(const std::string& symbol) {
+    int status = 0;
+    char* plain =
+        abi::__cxa_demangle(symbol.c_str(), nullptr, nullptr, &status);
+    std::string text = plain != nullptr ? plain : symbol;
+    std::free(plain);
+    return for_students(std::move(text));
+}
+
+}  // namespace
+
+std::string compiler() { return COURSE_COMPILER; }
+
+std::filesystem::path student_include() {
+    return build_root() / "student" / "include";
+}
+
+std::filesystem::path entry_object(const Exercise& exercise) {
+    return build_root() / "student" / "entries" / (exercise.name + ".o");
+}
+
+std::vector<std::string> compile_arguments(const std::string& source,
+                                           const std::string& object,
+                                           const std::string& include) {
+    std::vector<std::string> arguments = {compiler()};
+    std::istringstream flags(COURSE_STUDENT_FLAGS);
+    for (std::string flag; flags >> flag;) arguments.push_back(flag);
+    for (const std::string& argument :
+         {std::string("-I") + include, std::string("-include"),
+          include + "/prelude.h", std::string("-c"), source, std::string("-o"),
+          object})
+        arguments.push_back(argument);
+    return arguments;
+}
+
+std::vector<std::string> link_arguments(const std::string& object,
+                                        const std::string& entry,
+                                        const std::string& shared) {
+#ifdef __linux__
+    // Bare: everything else is in the host that loads it.
+    return {"ld", "-shared", "--eh-frame-hdr", "-o", shared, object, entry};
+#else
+    return {compiler(), "-shared", "-undefined", "dynamic_lookup",
+            "-o",       shared,    object,       entry};
+#endif
+}
+
+std::string for_students(std::string messages) {
+    const std::string inner = "checked_table::";
+    for (auto at = messages.find(inner); at != std::string::npos;
+         at = messages.find(inner, at))
+        messages.erase(at, inner.size());
+    return messages;
+}
+
+std::string load_error_text(const Exercise& exercise,
+                            const std::string& loader_message) {
+    const std::string key = "undefined symbol: ";
+    const auto at = loader_message.find(key);
+    if (at == std::string::npos) return loader_message;
+    std::string symbol = loader_message.substr(at + key.size());
+    symbol = symbol.substr(0, symbol.find_first_of(" ,\n"));
+    return fmt::format(
+        "the file does not define {}\nIs the function there, with exactly the "
+        "parameters that {}.h declares?",
+        plain_name(symbol), exercise.name);
+}
+
+}  // namespace course

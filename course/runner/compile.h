@@ -1,0 +1,47 @@
+// How a submission is compiled: one object from its file, linked with the
+// exercise's entry into a shared object that a worker loads. No Catch2 in it.
+#pragma once
+
+#include <chrono>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "course/runner/exercises.h"
+
+namespace course {
+
+/// How long a compiler may take, and how much of its messages is kept.
+inline constexpr std::chrono::milliseconds compiler_patience{20'000};
+inline constexpr std::size_t most_compiler_output = 64 * 1024;
+
+/// The compiler of this build.
+std::string compiler();
+
+/// Folder with the headers that a submission may include, and with the
+/// precompiled prelude.
+std::filesystem::path student_include();
+
+/// What the worker calls, compiled already.
+std::filesystem::path entry_object(const Exercise& exercise);
+
+/// Arguments of the compile step: `source` to `object`, headers from
+/// `include`. The lab and the sandbox differ in the paths only.
+std::vector<std::string> compile_arguments(const std::string& source,
+                                           const std::string& object,
+                                           const std::string& include);
+
+/// Arguments of the link step: both objects to one shared object.
+std::vector<std::string> link_arguments(const std::string& object,
+                                        const std::string& entry,
+                                        const std::string& shared);
+
+/// The compiler's messages without the names that students never wrote.
+std::string for_students(std::string messages);
+
+/// What the student should read when the worker could not load a submission:
+/// from the loader's message about a missing symbol.
+std::string load_error_text(const Exercise& exercise,
+                            const std::string& loader_message);
+
+}  // namespace course

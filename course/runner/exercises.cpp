@@ -1,0 +1,117 @@
+#include "course/runner/exercises.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <tuple>
+
+#include "course/runner/descriptors.h"
+#include "course/runner/nearest.h"
+
+namespace course {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path folder_of(const Exercise& exercise) {
+    return source_root() / "exercises" / exercise.topic;
+}
+
+std::string readme_of(const std::string& topic) {
+    const fs::path file = source_root() / "exercises" / topic / "README.md";
+    return fs::exists(file) ? read_file(file) : "";
+}
+
+/// Exercises of one topic, in the order in which its README names them.
+std::vector<Exercise> exercises_of(const fs::path& folder) {
+    std::vector<Exercise> list;
+    for (const auto& entry : fs::directory_iterator(folder)) {
+        if (entry.path().extension() != ".h") continue;
+        Exercise exercise{folder.filename(), entry.path().stem()};
+        exercise.is_data = fs::exists(folder / (exercise.name + ".csv"));
+        list.push_back(std::move(exercise));
+    }
+    const std::string readme = readme_of(folder.filename());
+    const auto place = [&](const Exercise& e) {
+        return std::tuple(readme.find("`" + e.name + "`"), e.name);
+    };
+    std::sort(list.begin(), list.end(),
+              [&](const Exercise& a, const Exercise& b) {
+                  return place(a) < place(b);
+              });
+    return list;
+}
+
+bool starts_an_item(const std::string& line) {
+    const auto digits = line.find_first_not_of("0123456789");
+    return digits != 0 && digits != std::string::npos && line[digits] == '.';
+}
+
+}  // namespace
+
+fs::path source_root() { return COURSE_SOURCE_DIR; }
+fs::path build_root() { return COURSE_BINARY_DIR; }
+
+std::string Exercise::file_name() const {
+    return name + (is_data ? ".csv" : ".cpp");
+}
+
+fs::path Exercise::contract() const {
+    return folder_of(*this) / (name + ".h");
+}
+fs::path Exercise::skeleton() const { return folder_of(*this) / file_name(); }
+fs::path Exercise::statement() const {
+    return folder_of(*this) / (name + ".md");
+}
+
+std::vector<Exercise> all_exercises() {
+    std::vector<fs::path> topics;
+    for (const auto& entry : fs::directory_iterator(source_root() / "exercises"))
+        if (entry.is_directory()) topics.push_back(entry.path());
+    std::sort(topics.begin(), topics.end());
+    std::vector<Exercise> all;
+    for (const fs::path& topic : topics)
+        for (Exercise& exercise : exercises_of(topic))
+            all.push_back(std::move(exercise));
+    return all;
+}
+
+Exercise exercise_named(const std::string& name) {
+    std::vector<std::string> names;
+    for (Exercise& exercise : all_exercises()) {
+        if (exercise.name == name) return exercise;
+        names.push_back(exercise.name);
+    }
+    throw UnknownExercise(fmt::format("there is no exercise \"{}\"{}", name,
+                                      did_you_mean(name, names)));
+}
+
+std::string read_file(const fs::path& file) {
+    std::ifstream in(file, std::ios::binary);
+    if (!in) throw_errno("cannot read " + file.string());
+    return {std::istreambuf_iterator<char>(in),
+            std::istreambuf_iterator<char>()};
+}
+
+std::vector<std::string> hints_of(const Exercise& exercise) {
+    const std::string text = read_file(exercise.statement());
+    const auto start = text.find("## Hints");
+    std::vector<std::string> hints;
+    if (start == std::string::npos) return hints;
+    std::istringstream lines(text.substr(start));
+    std::string line;
+    std::getline(lines, line);
+    while (std::getline(lines, line) && line.rfind("## ", 0) != 0) {
+        const auto first = line.find_first_not_of(" \t");
+        if (starts_an_item(line))
+            hints.push_back(line.substr(line.find('.') + 2));
+        else if (!hints.empty() && first != std::string::npos)
+            hints.back() += " " + line.substr(first);
+    }
+    return hints;
+}
+
+}  // namespace course

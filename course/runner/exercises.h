@@ -1,0 +1,48 @@
+// The exercises of this tree. One exists because its files exist; there is no
+// list of them anywhere.
+#pragma once
+
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace course {
+
+/// Where this tree and its build are.
+std::filesystem::path source_root();
+std::filesystem::path build_root();
+
+struct Exercise {
+    std::string topic;  ///< "01_traversal"
+    std::string name;   ///< "face_sides", the name of its function and files
+    bool is_data = false;  ///< the submission is a table and not a function
+
+    /// What a student hands in: "face_sides.cpp" or "complete_table.csv".
+    std::string file_name() const;
+
+    std::filesystem::path contract() const;
+    std::filesystem::path skeleton() const;
+    std::filesystem::path statement() const;
+};
+
+/// All exercises in order of topic; within a topic in the order in which its
+/// README names them, then by name.
+std::vector<Exercise> all_exercises();
+
+/// Thrown when there is no exercise of a name; names the nearest right one.
+struct UnknownExercise : std::invalid_argument {
+    using std::invalid_argument::invalid_argument;
+};
+
+/// The exercise of that name. Throws UnknownExercise.
+Exercise exercise_named(const std::string& name);
+
+/// The numbered hints of its statement, in order. Throws SystemError when the
+/// statement cannot be read.
+std::vector<std::string> hints_of(const Exercise& exercise);
+
+/// A whole file. Throws SystemError that names it.
+std::string read_file(const std::filesystem::path& file);
+
+}  // namespace course

@@ -1,0 +1,258 @@
+// The judge: a Catch2 program with the suites of one exercise. The functions
+// under test are either linked in (reference) or live in a worker (--control).
+// With --results it reports to the program that started it; without, it prints
+// as any Catch2 program does.
+#define CATCH_CONFIG_RUNNER
+#define CATCH_CONFIG_NO_POSIX_SIGNALS
+#include "course/runner/catch2.h"
+#if COURSE_CATCH2 == 3
+#include <catch2/internal/catch_test_case_registry_impl.hpp>
+#endif
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <cstdlib>
+
+#include "course/runner/case_record.h"
+#include "course/runner/client.h"
+#include "course/runner/judge_stream.h"
+#include "course/runner/submitted_table.h"
+
+CATCH_TRANSLATE_EXCEPTION(const course::WorkerFailed&) {
+    return "the submission's process failed";
+}
+
+namespace course {
+
+namespace {
+
+JudgeStream* the_stream = nullptr;
+
+CaseInfo info_of(const Catch::TestCaseInfo& test) {
+    CaseInfo info;
+#if COURSE_CATCH2 == 2
+    info.name = test.name;
+    for (const std::string& tag : test.tags) {
+#else
+    info.name = test.name;
+    for (const Catch::Tag& item : test.tags) {
+        const std::string tag(item.original);
+#endif
+        const std::string key = "points:";
+        if (tag.rfind(key, 0) == 0)
+            info.points = std::atof(tag.c_str() + key.size());
+    }
+    // The build makes paths relative to the root of the project.
+    const std::string file = test.lineInfo.file;
+    if (file.rfind("exercises/", 0) == 0)
+        info.visibility = Visibility::shown;
+    return info;
+}
+
+std::vector<CaseInfo> all_cases(Catch::Session& session) {
+    std::vector<CaseInfo> infos;
+    for (const auto& test : Catch::getAllTestCasesSorted(session.config()))
+#if COURSE_CATCH2 == 2
+        infos.push_back(info_of(test));
+#else
+        infos.push_back(info_of(test.getTestCaseInfo()));
+#endif
+    return infos;
+}
+
+MeshPicture picture_of(const Fixture& fixture) {
+    constexpr int most_rows = 80;
+    MeshPicture picture{fixture.name, {}, {}};
+    if (fixture.he.size() > most_rows) return picture;
+    picture.rows = fixture.he.rows();
+    picture.positions = fixture.mesh.positions;
+    return picture;
+}
+
+/// The failure of the running case, as far as its last call tells it.
+Failure failure_of_last_call() {
+    Failure failure;
+    if (!case_record().meshes.empty())
+        failure.mesh = picture_of(*case_record().meshes.back());
+    if (Client::current() == nullptr) return failure;
+    const LastCall& last = Client::current()->last_call();
+    if (last.call) failure.call = last.call();
+    if (last.got) failure.got = last.got();
+    failure.walk = last.walk;
+    failure.reads = last.reads;
+    return failure;
+}
+
+/// "0 == 4" without the "0" that came is what was expected.
+std::string expected_of(const std::string& expanded, const std::string& got) {
+    if (got.empty() || expanded.rfind(got, 0) != 0) return expanded;
+    std::string rest = expanded.substr(got.size());
+    for (const char* sign : {" == ", " "})
+        if (rest.rfind(sign, 0) == 0) return rest.substr(std::strlen(sign));
+    return rest;
+}
+
+bool is_exception(Catch::ResultWas::OfType type) {
+    return type == Catch::ResultWas::ThrewException;
+}
+
+void note_assertion(const Catch::AssertionStats& stats) {
+    const Catch::AssertionResult& result = stats.assertionResult;
+    if (result.isOk()) return;
+    const std::string text(result.getExpandedExpression());
+    Failure failure = failure_of_last_call();
+    for (const Catch::MessageInfo& message : stats.infoMessages)
+        failure.note += message.message + "\n";
+    if (is_exception(result.getResultType())) {
+        const std::string message(result.getMessage());
+        if (message.find("the submission's process failed") !=
+            std::string::npos)
+            return;  // recorded when it happened
+        failure.got = "an exception: " + message;
+        return case_record().add(Verdict::run_time_error, std::move(failure));
+    }
+    if (failure.call.empty()) failure.call = std::string(result.getExpression());
+    failure.expected = expected_of(text, failure.got);
+    if (result.getResultType() == Catch::ResultWas::ExplicitFailure)
+        failure.expected = std::string(result.getMessage());
+    if (failure.got.empty()) failure.got = text;
+    case_record().add(Verdict::wrong_answer, std::move(failure));
+}
+
+void begin_run_of_case() {
+    case_record().meshes.clear();
+    if (Client::current() != nullptr) Client::current()->begin_case();
+}
+
+void end_run_of_case() {
+    if (Client::current() != nullptr) Client::current()->end_case();
+}
+
+void report_case(const Catch::TestCaseInfo& test) {
+    CaseRecord& record = case_record();
+    CaseResult result;
+    result.info = info_of(test);
+    result.verdict = record.verdict;
+    result.failures = std::move(record.failures);
+    result.hint = record.hint;
+    if (Client::current() != nullptr)
+        result.printed = Client::current()->printed();
+    if (the_stream != nullptr) the_stream->report(result);
+    record = {};
+}
+
+#if COURSE_CATCH2 == 2
+using ListenerBase = Catch::TestEventListenerBase;
+#define COURSE_ASSERTION_ENDED bool
+#define COURSE_ASSERTION_RESULT return true
+#else
+using ListenerBase = Catch::EventListenerBase;
+#define COURSE_ASSERTION_ENDED void
+#define COURSE_ASSERTION_RESULT return
+#endif
+
+/// One fresh worker for each run of a test case: Catch2 enters a test case
+/// once for each of its leaf sections.
+class Listener : public ListenerBase {
+public:
+    using ListenerBase::ListenerBase;
+
+    void testCaseStarting(const Catch::TestCaseInfo& test) override {
+        ListenerBase::testCaseStarting(test);
+        case_record() = {};
+    }
+    void sectionStarting(const Catch::SectionInfo& info) override {
+        ListenerBase::sectionStarting(info);
+        if (depth_++ == 0) begin_run_of_case();
+    }
+    COURSE_ASSERTION_ENDED assertionEnded(
+        const Catch::AssertionStats& stats) override {
+        note_assertion(stats);
+        COURSE_ASSERTION_RESULT;
+    }
+    void sectionEnded(const Catch::SectionStats& stats) override {
+        if (--depth_ == 0) end_run_of_case();
+        ListenerBase::sectionEnded(stats);
+    }
+    void testCaseEnded(const Catch::TestCaseStats& stats) override {
+#if COURSE_CATCH2 == 2
+        report_case(stats.testInfo);
+#else
+        report_case(*stats.testInfo);
+#endif
+        ListenerBase::testCaseEnded(stats);
+    }
+
+private:
+    int depth_ = 0;
+};
+
+struct Options {
+    int control = -1;
+    int results = -1;
+    std::uint64_t seed = 1;
+    std::string submitted;
+    std::vector<std::string> catch_arguments;
+};
+
+int run_catch(Catch::Session& session, const Options& options) {
+    std::vector<const char*> arguments = {"judge"};
+    for (const std::string& argument : options.catch_arguments)
+        arguments.push_back(argument.c_str());
+    if (options.results >= 0)
+        for (const char* argument : {"--out", "/dev/null", "--order", "decl"})
+            arguments.push_back(argument);
+    return session.applyCommandLine(static_cast<int>(arguments.size()),
+                                    arguments.data());
+}
+
+int judge(const Options& options) {
+    Catch::Session session;
+    if (const int code = run_catch(session, options); code != 0) return code;
+    set_seed(options.seed);
+    set_submitted_file(options.submitted);
+    std::optional<Client> client;
+    if (options.control >= 0) {
+        client.emplace(Descriptor(options.control), Limits{});
+        client->on_failure = [](Verdict verdict, const std::string& why) {
+            Failure failure = failure_of_last_call();
+            failure.got = why;
+            case_record().add(verdict, std::move(failure));
+        };
+        Client::set_current(&*client);
+    }
+    std::optional<JudgeStream> stream;
+    if (options.results < 0) return session.run();
+    the_stream = &stream.emplace(Descriptor(options.results));
+    the_stream->plan(all_cases(session));
+    session.run();
+    the_stream->end();
+    return 0;
+}
+
+}  // namespace
+
+CATCH_REGISTER_LISTENER(Listener)
+
+}  // namespace course
+
+int main(int argc, char** argv) {
+    course::Options options;
+    CLI::App app("The judge of one exercise (started by lab and grader)");
+    app.add_option("--control", options.control,
+                   "descriptor of the conversation with the launcher");
+    app.add_option("--results", options.results,
+                   "descriptor that the results are written to");
+    app.add_option("--seed", options.seed, "seed of generated meshes");
+    app.add_option("--submitted", options.submitted,
+                   "the submitted file of a data exercise");
+    app.add_option("--catch", options.catch_arguments,
+                   "arguments for Catch2");
+    CLI11_PARSE(app, argc, argv);
+    try {
+        return course::judge(options);
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "%s\n", error.what());
+        return 3;
+    }
+}

@@ -1,0 +1,29 @@
+// What a submission may use. One set of values for lab and grader, so that
+// what passes at home passes in grading.
+#pragma once
+
+#include <cstdint>
+
+namespace course {
+
+struct Limits {
+    /// Wall time of one call, in milliseconds.
+    std::int32_t call_ms = 2000;
+    /// Wall time of one call after the submission has once exceeded its limit:
+    /// honest calls take microseconds, and ten cases must not hang for 20 s.
+    std::int32_t later_call_ms = 200;
+    /// Calls that may run out of time before the remaining cases are not run.
+    std::int32_t max_timeouts = 4;
+    /// Wall time and CPU time of one case (one worker).
+    std::int32_t case_ms = 5000;
+    std::int32_t cpu_seconds = 4;
+    /// Address space of a worker.
+    std::int32_t memory_mib = 512;
+    std::int32_t stack_mib = 8;
+    /// What one worker may print; one byte more ends it.
+    std::int32_t output_kib = 1024;
+    /// The longest reply to one call.
+    std::int32_t reply_mib = 64;
+};
+
+}  // namespace course

@@ -1,0 +1,65 @@
+// How values are shown in messages, by Catch2 and by the judge.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "course/runner/catch2.h"
+#include "course/runner/codec.h"
+
+namespace course {
+
+#if COURSE_CATCH2 == 2
+template <class T>
+using CatchMatcherBase = Catch::MatcherBase<T>;
+#else
+template <class T>
+using CatchMatcherBase = Catch::Matchers::MatcherBase<T>;
+#endif
+
+/// A value as messages show it.
+template <class T>
+std::string show(const T& value) {
+    return Catch::Detail::stringify(value);
+}
+
+}  // namespace course
+
+namespace Catch {
+
+/// A table: as many rows as help, then how many more.
+template <>
+struct StringMaker<HalfEdgeTable> {
+    static std::string convert(const HalfEdgeTable& he);
+};
+
+template <class T>
+struct StringMaker<std::optional<T>> {
+    static std::string convert(const std::optional<T>& value) {
+        return value ? ::Catch::Detail::stringify(*value) : "std::nullopt";
+    }
+};
+
+template <>
+struct StringMaker<std::nullopt_t> {
+    static std::string convert(std::nullopt_t) { return "std::nullopt"; }
+};
+
+/// A plain struct, and a row of the table: its fields in braces.
+template <class T>
+    requires course::Struct<T> || std::same_as<T, HalfEdge>
+struct StringMaker<T> {
+    static std::string convert(const T& value) {
+        std::string text;
+        std::apply(
+            [&](const auto&... field) {
+                ((text += (text.empty() ? "{ " : ", ") +
+                          ::Catch::Detail::stringify(field)),
+                 ...);
+            },
+            course::detail::fields(value));
+        return text + " }";
+    }
+};
+
+}  // namespace Catch

@@ -1,0 +1,183 @@
+#include "course/runner/process.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <poll.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <csignal>
+#include <cstdlib>
+#include <cstring>
+
+namespace course {
+
+namespace {
+
+std::vector<char*> pointers(const std::vector<std::string>& texts) {
+    std::vector<char*> list;
+    for (const std::string& text : texts)
+        list.push_back(const_cast<char*>(text.c_str()));
+    list.push_back(nullptr);
+    return list;
+}
+
+/// What posix_spawn is to do with descriptors, and copies that are out of the
+/// way of each other until then.
+class SpawnActions {
+public:
+    explicit SpawnActions(const Command& command) {
+        ::posix_spawn_file_actions_init(&actions_);
+        for (int fd = 0; fd < 3; ++fd)
+            if (!is_given(command, fd))
+                ::posix_spawn_file_actions_addopen(&actions_, fd, "/dev/null",
+                                                   O_RDWR, 0);
+        for (const auto& [ours, theirs] : command.descriptors) {
+            constexpr int out_of_the_way = 64;
+            copies_.emplace_back(
+                ::fcntl(ours, F_DUPFD_CLOEXEC, out_of_the_way));
+            if (!copies_.back()) throw_errno("fcntl");
+            ::posix_spawn_file_actions_adddup2(&actions_, copies_.back().get(),
+                                               theirs);
+        }
+    }
+    SpawnActions(const SpawnActions&) = delete;
+    SpawnActions& operator=(const SpawnActions&) = delete;
+    ~SpawnActions() { ::posix_spawn_file_actions_destroy(&actions_); }
+
+    const posix_spawn_file_actions_t* get() const { return &actions_; }
+
+private:
+    static bool is_given(const Command& command, int fd) {
+        return std::any_of(command.descriptors.begin(),
+                           command.descriptors.end(),
+                           [&](const auto& pair) { return pair.second == fd; });
+    }
+
+    posix_spawn_file_actions_t actions_{};
+    std::vector<Descriptor> copies_;
+};
+
+/// Head and tail of what a program printed.
+class Capture {
+public:
+    explicit Capture(std::size_t most) : half_(most / 2) {}
+
+    void add(std::string_view text) {
+        const std::size_t room = half_ - std::min(half_, head_.size());
+        head_ += text.substr(0, room);
+        tail_ += text.substr(std::min(room, text.size()));
+        if (tail_.size() > 2 * half_) drop(tail_.size() - half_);
+    }
+    std::string text() {
+        if (tail_.size() > half_) drop(tail_.size() - half_);
+        if (dropped_ == 0) return head_ + tail_;
+        return fmt::format("{}\n[... {} bytes left out ...]\n{}", head_,
+                           dropped_, tail_);
+    }
+
+private:
+    void drop(std::size_t n) {
+        tail_.erase(0, n);
+        dropped_ += n;
+    }
+
+    std::size_t half_;
+    std::string head_, tail_;
+    std::size_t dropped_ = 0;
+};
+
+/// Reads until the other end is closed; false when time is up first.
+bool read_to_end(int fd, Capture& capture, Clock::time_point until) {
+    std::string piece;
+    char buffer[1 << 16];
+    for (;;) {
+        const auto left = std::chrono::ceil<std::chrono::milliseconds>(
+            until - Clock::now());
+        pollfd p{fd, POLLIN, 0};
+        const int ready =
+            ::poll(&p, 1, static_cast<int>(std::max<long>(left.count(), 0)));
+        if (ready == 0) return false;
+        const ssize_t n = ::read(fd, buffer, sizeof buffer);
+        if (n == 0) return true;
+        if (n > 0) capture.add({buffer, static_cast<std::size_t>(n)});
+    }
+}
+
+}  // namespace
+
+std::vector<std::string> plain_environment() {
+    const char* path = std::getenv("PATH");
+    return {fmt::format("PATH={}", path != nullptr ? path : "/usr/bin:/bin"),
+            "LC_ALL=C.UTF-8"};
+}
+
+Process::Process(const Command& command) {
+    const SpawnActions actions(command);
+    posix_spawnattr_t attributes{};
+    ::posix_spawnattr_init(&attributes);
+    sigset_t none;
+    sigemptyset(&none);
+    sigset_t usual;
+    sigemptyset(&usual);
+    for (const int signal : {SIGINT, SIGTERM, SIGPIPE, SIGXFSZ})
+        sigaddset(&usual, signal);
+    ::posix_spawnattr_setsigmask(&attributes, &none);
+    ::posix_spawnattr_setsigdefault(&attributes, &usual);
+    // A group of its own: Ctrl-C at the terminal is for the grader to handle.
+    ::posix_spawnattr_setpgroup(&attributes, 0);
+    ::posix_spawnattr_setflags(
+        &attributes, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF |
+                         POSIX_SPAWN_SETPGROUP);
+    const int error =
+        ::posix_spawnp(&pid_, command.arguments.at(0).c_str(), actions.get(),
+                       &attributes, pointers(command.arguments).data(),
+                       pointers(command.environment).data());
+    ::posix_spawnattr_destroy(&attributes);
+    if (error != 0) {
+        pid_ = -1;
+        throw SystemError(fmt::format("cannot start {}: {}",
+                                      command.arguments.at(0),
+                                      std::strerror(error)));
+    }
+}
+
+Process::~Process() {
+    kill();
+    wait();
+}
+
+int Process::wait() {
+    int status = 0;
+    while (pid_ > 0 && ::waitpid(pid_, &status, 0) < 0 && errno == EINTR) {}
+    pid_ = -1;
+    return status;
+}
+
+void Process::kill() {
+    if (pid_ <= 0) return;
+    ::kill(-pid_, SIGKILL);
+    ::kill(pid_, SIGKILL);
+}
+
+Finished run(Command command, std::chrono::milliseconds most,
+             std::size_t most_bytes) {
+    DescriptorPair pipe = pipe_pair();
+    command.descriptors.emplace_back(pipe.second.get(), 1);
+    command.descriptors.emplace_back(pipe.second.get(), 2);
+    Process process(command);
+    pipe.second.reset();
+    Capture capture(most_bytes);
+    Finished finished;
+    finished.timed_out =
+        !read_to_end(pipe.first.get(), capture, Clock::now() + most);
+    if (finished.timed_out) process.kill();
+    finished.status = process.wait();
+    finished.output = capture.text();
+    return finished;
+}
+
+}  // namespace course

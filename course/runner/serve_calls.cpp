@@ -1,0 +1,210 @@
+// The loop of a worker: load the submission, then answer one request after the
+// other. A crash is reported by the signal handler as far as it still can.
+#include <dlfcn.h>
+#include <sys/mman.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <cxxabi.h>
+#include <exception>
+#include <new>
+#include <typeinfo>
+
+#include "course/runner/descriptors.h"
+#include "course/runner/launcher.h"
+#include "course/runner/protocol.h"
+#include "course/runner/worker.h"
+
+namespace course {
+
+namespace {
+
+/// What the signal handler needs; there is no other way to reach it.
+struct Running {
+    int channel = -1;
+    FrameHead request{};
+    const WorkerCall* call = nullptr;
+    const char* stack_top = nullptr;
+    std::size_t stack_size = 0;
+};
+
+Running running;
+
+bool below_the_stack(const void* address) {
+    const auto depth = running.stack_top - static_cast<const char*>(address);
+    const auto size = static_cast<std::ptrdiff_t>(running.stack_size);
+    return depth > size - size / 8 && depth < size + size / 8;
+}
+
+/// Whether the address space is used up: a null pointer that comes from an
+/// allocation that failed is no ordinary crash.
+bool no_memory_left() {
+    constexpr std::size_t little = std::size_t{32} << 20;
+    void* probe = ::mmap(nullptr, little, PROT_NONE,
+                         MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+    if (probe == MAP_FAILED) return true;
+    ::munmap(probe, little);
+    return false;
+}
+
+/// Async-signal-safe: plain memory and system calls.
+void on_crash(int signal, siginfo_t* info, void*) {
+    Crash crash{};
+    crash.signal = signal;
+    crash.stack_overflow =
+        signal != SIGABRT && below_the_stack(info->si_addr) ? 1 : 0;
+    crash.out_of_memory = no_memory_left() ? 1 : 0;
+    if (running.call != nullptr && running.call->walked != nullptr) {
+        Visit visits[HalfEdgeTable::last_visits_size];
+        crash.visit_count = running.call->walked->copy_last_visits(visits);
+        for (int k = 0; k < crash.visit_count; ++k) {
+            crash.visits[k][0] = visits[k].i;
+            crash.visits[k][1] = visits[k].line;
+        }
+    }
+    const FrameHead head{reply_magic, CallStatus::crashed, sizeof crash,
+                         running.request.nonce};
+    write_all(running.channel, &head, sizeof head);
+    write_all(running.channel, &crash, sizeof crash);
+    std::signal(signal, SIG_DFL);
+    ::raise(signal);
+}
+
+void catch_crashes() {
+    static char handler_stack[1 << 16];
+    stack_t stack{};
+    stack.ss_sp = handler_stack;
+    stack.ss_size = sizeof handler_stack;
+    ::sigaltstack(&stack, nullptr);
+    struct sigaction action {};
+    action.sa_sigaction = on_crash;
+    action.sa_flags = SA_SIGINFO | SA_ONSTACK | SA_NODEFER;
+    for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT})
+        ::sigaction(signal, &action, nullptr);
+}
+
+bool reply(CallStatus status, const std::string& body) {
+    const FrameHead head{reply_magic, status, body.size(),
+                         running.request.nonce};
+    std::string frame(reinterpret_cast<const char*>(&head), sizeof head);
+    frame += body;
+    return write_all(running.channel, frame.data(), frame.size());
+}
+
+/// How the walk went: reads in all, and the last of them.
+Writer trace_of(const WorkerCall& call) {
+    Writer out;
+    std::vector<std::int32_t> visits;
+    std::int64_t reads = 0;
+    if (call.walked != nullptr) {
+        reads = call.walked->reads();
+        for (const Visit& visit : call.walked->last_visits()) {
+            visits.push_back(visit.i);
+            visits.push_back(visit.line);
+        }
+    }
+    put(out, reads);
+    put(out, visits);
+    return out;
+}
+
+std::string type_of_exception() {
+    const std::type_info* type = abi::__cxa_current_exception_type();
+    if (type == nullptr) return "an unknown type";
+    int status = 0;
+    char* plain = abi::__cxa_demangle(type->name(), nullptr, nullptr, &status);
+    std::string text = plain != nullptr ? plain : type->name();
+    std::free(plain);
+    return text;
+}
+
+bool reply_text(const WorkerCall& call, CallStatus status,
+                const std::string& text) {
+    Writer out = trace_of(call);
+    put(out, text);
+    return reply(status, out.bytes);
+}
+
+bool reply_exception(const WorkerCall& call, const std::string& text) {
+    Writer out = trace_of(call);
+    put(out, type_of_exception());
+    put(out, text);
+    return reply(CallStatus::threw, out.bytes);
+}
+
+/// Calls the student's function and sends what came of it.
+bool answer(const Entry& entry, WorkerCall& call) {
+    try {
+        entry.call(call);
+        Writer out = trace_of(call);
+        out.raw(call.out.bytes.data(), call.out.bytes.size());
+        return reply(CallStatus::returned, out.bytes);
+    } catch (const OutOfTable& error) {
+        return reply_text(call, CallStatus::out_of_table, error.what());
+    } catch (const TooManyReads& error) {
+        return reply_text(call, CallStatus::too_many_reads, error.what());
+    } catch (const std::bad_alloc&) {
+        return reply(CallStatus::out_of_memory, trace_of(call).bytes);
+    } catch (const std::exception& error) {
+        return reply_exception(call, error.what());
+    } catch (...) {
+        return reply_exception(call, "");
+    }
+}
+
+void take_new_tables(Reader& in, WorkerTables& tables) {
+    const auto n = get<std::uint32_t>(in);
+    for (std::uint32_t k = 0; k < n; ++k) {
+        const auto id = get<std::uint64_t>(in);
+        tables.insert_or_assign(id, get<HalfEdgeTable>(in));
+    }
+}
+
+/// The submission's entry, or null with the loader's complaint in `why`.
+const Entry* load(const std::string& submission, std::string& why) {
+    void* object = ::dlopen(submission.c_str(), RTLD_NOW | RTLD_LOCAL);
+    const void* entry =
+        object != nullptr ? ::dlsym(object, "course_entry") : nullptr;
+    if (entry == nullptr) {
+        const char* text = ::dlerror();
+        why = text != nullptr ? text : "no entry";
+    }
+    return static_cast<const Entry*>(entry);
+}
+
+}  // namespace
+
+void serve_calls(const std::string& submission, int channel) {
+    rlimit stack{};
+    ::getrlimit(RLIMIT_STACK, &stack);
+    const char here = 0;
+    running.channel = channel;
+    running.stack_top = &here;
+    running.stack_size = static_cast<std::size_t>(stack.rlim_cur);
+    catch_crashes();
+
+    std::string why;
+    const Entry* entry = load(submission, why);
+    WorkerTables tables;
+    std::string body;
+    while (read_all(channel, &running.request, sizeof running.request)) {
+        body.resize(running.request.length);
+        if (!read_all(channel, body.data(), body.size())) return;
+        if (entry == nullptr) {
+            reply(CallStatus::not_loaded, encode(why));
+            return;
+        }
+        WorkerCall call{Reader(body), {}, tables};
+        running.call = &call;
+        take_new_tables(call.in, tables);
+        const bool sent = answer(*entry, call);
+        running.call = nullptr;
+        std::fflush(stdout);  // so that the judge can show what was printed
+        if (!sent) return;
+    }
+}
+
+}  // namespace course

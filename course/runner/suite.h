@@ -1,0 +1,102 @@
+// What a suite may use beside Catch2: fixtures, hints, read budgets, matchers.
+// A suite runs unchanged in process against the reference solution and against
+// a submission that lives in another process.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "course/halfedge/half_edge_table.h"
+#include "course/mesh/zoo.h"
+#include "course/runner/catch2.h"
+#include "course/runner/print.h"
+
+namespace course {
+
+/// A question that leads to the mistake; the student reads it when the case
+/// fails, even where nothing else may be shown. First line of every case.
+void hint(std::string text);
+
+/// The seed of this run: renumbering and generated meshes come from it. Fixed
+/// by default, logged in every report.
+std::uint64_t seed();
+
+/// While it lives, failures are reported, and drawn, as on this mesh.
+class OnMesh {
+public:
+    explicit OnMesh(const Fixture& fixture);
+    ~OnMesh();
+    OnMesh(const OnMesh&) = delete;
+    OnMesh& operator=(const OnMesh&) = delete;
+};
+
+/// While it lives, the calls on `he` may read `reads` half-edges in all; one
+/// more ends the call as time limit exceeded. For the cost that a contract
+/// promises. Use a new one for each call.
+class ReadBudget {
+public:
+    ReadBudget(const HalfEdgeTable& he, std::int64_t reads);
+    ~ReadBudget();
+    ReadBudget(const ReadBudget&) = delete;
+    ReadBudget& operator=(const ReadBudget&) = delete;
+
+private:
+    const HalfEdgeTable& he_;
+};
+
+/// The same mesh with half-edges, faces and vertices numbered anew, from the
+/// seed of the run and `salt`.
+Fixture renumbered(const Fixture& fixture, std::uint64_t salt = 0);
+
+/// Every fixture that has a table, and a renumbered copy of each.
+std::vector<Fixture> all_fixtures();
+
+/// Random polygon meshes, open and closed, of one and several components, with
+/// faces of 3 to 8 sides; the same for the same seed of the run.
+std::vector<Fixture> generated_fixtures();
+
+/// A grid of quads with a million half-edges, built once: for cases where the
+/// cost must not depend on the size of the mesh.
+const Fixture& a_million_half_edges();
+
+/// How many calls on it a case makes: more than any scan of a million rows
+/// could answer within the limit of time.
+inline constexpr int many_calls = 1500;
+
+/// A matcher that normalises both sides and compares.
+template <class List>
+class ListMatcher : public CatchMatcherBase<List> {
+public:
+    using Normalise = List (*)(List);
+
+    ListMatcher(List expected, Normalise normalise, std::string how)
+        : expected_(std::move(expected)),
+          normalise_(normalise),
+          how_(std::move(how)) {}
+
+    bool match(const List& got) const override {
+        return normalise_(got) == normalise_(expected_);
+    }
+    std::string describe() const override {
+        return how_ + ::Catch::Detail::stringify(expected_);
+    }
+
+private:
+    List expected_;
+    Normalise normalise_;
+    std::string how_;
+};
+
+}  // namespace course
+
+/// The numbers of `expected` in the same cyclic order, begun anywhere.
+course::ListMatcher<std::vector<int>> IsRotationOf(std::vector<int> expected);
+
+/// The numbers of `expected`, each as often, in any order.
+course::ListMatcher<std::vector<int>> IsPermutationOf(
+    std::vector<int> expected);
+
+/// The loops of `expected` in any order, each begun anywhere.
+course::ListMatcher<std::vector<std::vector<int>>> AreLoops(
+    std::vector<std::vector<int>> expected);

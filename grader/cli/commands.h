@@ -1,0 +1,55 @@
+// The commands of the grader. Each gives the exit code of the process.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "grader/sandbox/sandbox.h"
+
+namespace grader {
+
+/// Options that every command has which judges submissions.
+struct JudgingOptions {
+    int jobs = 0;  ///< 0: one per core
+    std::uint64_t seed = 1;
+    bool without_sandbox = false;
+
+    void add_to(CLI::App& app);
+};
+
+/// Thrown when a command cannot begin; the message says why. Exit code 2.
+struct CannotBegin : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+/// What commands that judge have in common: isolation that was probed, lanes.
+class Bench {
+public:
+    /// Throws CannotBegin when there is no isolation and none was not asked
+    /// for.
+    explicit Bench(const JudgingOptions& options);
+
+    int jobs() const { return jobs_; }
+    Isolation isolation() const { return isolation_; }
+    std::string isolation_text() const;
+    std::unique_ptr<course::Workplace> workplace(int lane) const;
+
+private:
+    Stage stage_;
+    Isolation isolation_;
+    int jobs_;
+};
+
+/// Adds the command to the program; `code` is set when it runs.
+void add_run(CLI::App& program, int& code);
+void add_judge(CLI::App& program, int& code);
+void add_validate(CLI::App& program, int& code);
+void add_show(CLI::App& program, int& code);
+void add_release(CLI::App& program, int& code);
+
+}  // namespace grader

@@ -1,0 +1,38 @@
+// The grader's command line.
+#include <fmt/format.h>
+
+#include <csignal>
+#include <cstdio>
+
+#include "course/runner/exercises.h"
+#include "grader/cli/commands.h"
+
+int main(int argc, char** argv) {
+    std::signal(SIGPIPE, SIG_IGN);
+    CLI::App program(
+        "Grades exercises on the half-edge table: compiles each submission and "
+        "runs it in a sandbox, judges it from outside with hidden suites.",
+        "grader");
+    program.require_subcommand(1);
+    int code = 0;
+    grader::add_run(program, code);
+    grader::add_judge(program, code);
+    grader::add_validate(program, code);
+    grader::add_show(program, code);
+    grader::add_release(program, code);
+    try {
+        program.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        return program.exit(error) == 0 ? 0 : 2;
+    } catch (const course::UnknownExercise& error) {
+        fmt::print(stderr, "grader: {}\n", error.what());
+        return 2;
+    } catch (const grader::CannotBegin& error) {
+        fmt::print(stderr, "grader: {}\n", error.what());
+        return 2;
+    } catch (const std::exception& error) {
+        fmt::print(stderr, "grader: {}\n", error.what());
+        return 3;
+    }
+    return code;
+}

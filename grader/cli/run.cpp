@@ -1,0 +1,2 @@
+#include "grader/cli/commands.h"
+namespace grader { void add_run(CLI::App&, int&) {} }

@@ -1,0 +1,39 @@
+#include "grader/pipeline/pool.h"
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+namespace grader {
+
+void for_each_item(int lanes, int items,
+                   const std::function<void(int lane, int item)>& work,
+                   const std::function<bool()>& stop) {
+    std::atomic<int> next = 0;
+    std::atomic<bool> failed = false;
+    std::exception_ptr error;
+    std::mutex guard;
+    const auto run_lane = [&](int lane) {
+        while (!failed && !stop()) {
+            const int item = next++;
+            if (item >= items) return;
+            try {
+                work(lane, item);
+            } catch (...) {
+                const std::scoped_lock lock(guard);
+                if (!failed.exchange(true)) error = std::current_exception();
+            }
+        }
+    };
+    {
+        std::vector<std::jthread> threads;
+        for (int lane = 0; lane < std::min(lanes, items); ++lane)
+            threads.emplace_back(run_lane, lane);
+    }
+    if (error) std::rethrow_exception(error);
+}
+
+}  // namespace grader

@@ -1,0 +1,231 @@
+#include "grader/pipeline/validate.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <mutex>
+
+#include "grader/pipeline/pool.h"
+
+namespace grader {
+
+namespace {
+
+namespace fs = std::filesystem;
+using course::ExerciseResult;
+using course::Verdict;
+using course::Visibility;
+
+constexpr int fewest_hints = 3;
+constexpr int fewest_wrong = 5;
+
+enum class Role { reference_in_process, reference, skeleton, wrong };
+
+/// One file to judge, and what must come of it.
+struct Trial {
+    std::size_t exercise;  ///< index into the validations
+    Role role;
+    fs::path file;
+    Verdict expected = Verdict::accepted;
+    ExerciseResult result{};
+};
+
+fs::path solution_of(const course::Exercise& exercise) {
+    return course::source_root() / "solutions" / exercise.topic /
+           exercise.file_name();
+}
+
+/// Stored wrong submissions: the name of the folder is the verdict.
+void add_wrong(std::size_t index, const course::Exercise& exercise,
+               std::vector<Trial>& trials,
+               std::vector<std::string>& complaints) {
+    const fs::path folder = course::source_root() / "grader" / "wrong" /
+                            exercise.topic / exercise.name;
+    if (!fs::exists(folder)) return;
+    std::vector<fs::path> files;
+    for (const auto& entry : fs::recursive_directory_iterator(folder))
+        if (entry.is_regular_file()) files.push_back(entry.path());
+    std::sort(files.begin(), files.end());
+    for (const fs::path& file : files) {
+        const auto verdict =
+            course::verdict_named(file.parent_path().filename().string());
+        if (verdict && file.extension() == exercise.skeleton().extension())
+            trials.push_back({index, Role::wrong, file, *verdict});
+        else
+            complaints.push_back(fmt::format(
+                "{}: expected a folder named after a verdict and a file {}",
+                fs::relative(file, course::source_root()).string(),
+                "*" + exercise.skeleton().extension().string()));
+    }
+}
+
+std::size_t count(const std::string& text, const std::string& word) {
+    std::size_t n = 0;
+    for (auto at = text.find(word); at != std::string::npos;
+         at = text.find(word, at + word.size()))
+        ++n;
+    return n;
+}
+
+/// What can be said without running anything.
+void look_at_files(Validation& validation) {
+    const course::Exercise& exercise = validation.exercise;
+    const auto complain = [&](std::string text) {
+        validation.complaints.push_back(std::move(text));
+    };
+    for (const fs::path& file : {exercise.skeleton(), exercise.statement(),
+                                 solution_of(exercise)})
+        if (!fs::exists(file))
+            complain("there is no " +
+                     fs::relative(file, course::source_root()).string());
+    if (!validation.complaints.empty()) return;
+    if (const auto hints = course::hints_of(exercise).size();
+        hints < fewest_hints)
+        complain(fmt::format("{} hints in {}.md, expected at least {}", hints,
+                             exercise.name, fewest_hints));
+    const auto todo =
+        count(course::read_file(exercise.skeleton()), "TODO(student):");
+    if (!exercise.is_data && todo != 1)
+        complain(fmt::format("the skeleton has {} TODO(student): lines, "
+                             "expected 1",
+                             todo));
+}
+
+std::vector<Trial> trials_of(std::size_t index, Validation& validation) {
+    std::vector<Trial> trials;
+    const course::Exercise& exercise = validation.exercise;
+    look_at_files(validation);
+    if (!validation.complaints.empty()) return trials;
+    const fs::path solution = solution_of(exercise);
+    trials.push_back({index, Role::reference_in_process, solution});
+    trials.push_back({index, Role::reference, solution});
+    trials.push_back({index, Role::skeleton, exercise.skeleton()});
+    const std::size_t others = trials.size();
+    add_wrong(index, exercise, trials, validation.complaints);
+    validation.wrong = static_cast<int>(trials.size() - others);
+    if (validation.wrong < fewest_wrong)
+        validation.complaints.push_back(
+            fmt::format("{} stored wrong submissions, expected at least {}",
+                        validation.wrong, fewest_wrong));
+    return trials;
+}
+
+ExerciseResult carry_out(const Trial& trial, const course::Exercise& exercise,
+                         std::uint64_t seed, course::Workplace& workplace) {
+    if (trial.role != Role::reference_in_process)
+        return course::judge_submission(workplace, exercise, trial.file,
+                                        course::JudgeKind::grade, seed);
+    course::JudgeRun run;
+    run.exercise = exercise;
+    run.kind = course::JudgeKind::reference;
+    run.seed = seed;
+    if (exercise.is_data) run.submitted = trial.file;
+    return course::run_judge(run);
+}
+
+/// The first thing that went wrong, in one line.
+std::string first_trouble(const ExerciseResult& result) {
+    for (const auto& c : result.cases) {
+        if (c.verdict == Verdict::accepted) continue;
+        std::string text = fmt::format("\"{}\"", c.info.name);
+        if (!c.failures.empty())
+            text += fmt::format(": {} gave {}, expected {}",
+                                c.failures[0].call, c.failures[0].got,
+                                c.failures[0].expected);
+        return text;
+    }
+    return result.message.substr(0, 200);
+}
+
+void judge_reference(Validation& validation, const ExerciseResult& result,
+                     const char* where) {
+    validation.max = result.max();
+    validation.cases = static_cast<int>(result.cases.size());
+    if (result.verdict != Verdict::accepted)
+        validation.complaints.push_back(
+            fmt::format("the reference, {}: {}, expected accepted: {}", where,
+                        words(result.verdict), first_trouble(result)));
+    for (const auto& c : result.cases) {
+        if (c.hint.empty())
+            validation.complaints.push_back(
+                fmt::format("case \"{}\" has no hint", c.info.name));
+        if (c.info.points <= 0)
+            validation.complaints.push_back(
+                fmt::format("case \"{}\" has no points", c.info.name));
+    }
+}
+
+void judge_skeleton(Validation& validation, const ExerciseResult& result) {
+    validation.skeleton = fmt::format("{} {:g}/{:g}", words(result.verdict),
+                                      result.points(), result.max());
+    if (result.verdict >= Verdict::compile_error)
+        validation.complaints.push_back(
+            fmt::format("the skeleton: {}, expected that it compiles and "
+                        "fails: {}",
+                        words(result.verdict), first_trouble(result)));
+    for (const Visibility which : {Visibility::shown, Visibility::hidden}) {
+        const bool passes = std::all_of(
+            result.cases.begin(), result.cases.end(), [&](const auto& c) {
+                return c.info.visibility != which ||
+                       c.verdict == Verdict::accepted;
+            });
+        if (passes)
+            validation.complaints.push_back(fmt::format(
+                "the skeleton passes the {} suite",
+                which == Visibility::shown ? "public" : "hidden"));
+    }
+}
+
+void judge_wrong(Validation& validation, const Trial& trial) {
+    if (trial.result.verdict == trial.expected) {
+        ++validation.wrong_as_expected;
+        return;
+    }
+    validation.complaints.push_back(fmt::format(
+        "{}: {}, expected {}: {}", trial.file.filename().string(),
+        words(trial.result.verdict), words(trial.expected),
+        first_trouble(trial.result)));
+}
+
+void conclude(Validation& validation, const Trial& trial) {
+    switch (trial.role) {
+        case Role::reference_in_process:
+            return judge_reference(validation, trial.result, "in process");
+        case Role::reference:
+            return judge_reference(validation, trial.result, "in a worker");
+        case Role::skeleton: return judge_skeleton(validation, trial.result);
+        case Role::wrong: return judge_wrong(validation, trial);
+    }
+}
+
+}  // namespace
+
+std::vector<Validation> validate(
+    const std::vector<course::Exercise>& exercises, int jobs,
+    std::uint64_t seed, const WorkplaceMaker& make_workplace,
+    const std::function<void(int done, int all)>& progress) {
+    std::vector<Validation> validations;
+    std::vector<Trial> trials;
+    for (std::size_t k = 0; k < exercises.size(); ++k) {
+        validations.push_back({exercises[k]});
+        for (Trial& trial : trials_of(k, validations.back()))
+            trials.push_back(std::move(trial));
+    }
+    const int all = static_cast<int>(trials.size());
+    std::atomic<int> done = 0;
+    std::mutex guard;
+    for_each_item(jobs, all, [&](int lane, int item) {
+        Trial& trial = trials[static_cast<std::size_t>(item)];
+        trial.result = carry_out(trial, exercises[trial.exercise], seed,
+                                 *make_workplace(lane));
+        const int now = ++done;
+        const std::scoped_lock lock(guard);
+        progress(now, all);
+    });
+    for (const Trial& trial : trials)
+        conclude(validations[trial.exercise], trial);
+    return validations;
+}
+
+}  // namespace grader

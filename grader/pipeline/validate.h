@@ -1,0 +1,38 @@
+// The suites prove themselves: the reference passes, the skeleton compiles and
+// fails, every stored wrong submission gets the verdict of its folder.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "course/runner/exercises.h"
+#include "course/runner/judge_submission.h"
+
+namespace grader {
+
+/// What validation found out about one exercise.
+struct Validation {
+    course::Exercise exercise;
+    double max = 0;            ///< points of all its cases
+    int cases = 0;
+    std::string skeleton = {};  ///< its verdict and points
+    int wrong = 0;             ///< stored wrong submissions
+    int wrong_as_expected = 0;
+    std::vector<std::string> complaints = {};  ///< empty when all is as it must be
+};
+
+/// Makes the workplace of a lane.
+using WorkplaceMaker =
+    std::function<std::unique_ptr<course::Workplace>(int lane)>;
+
+/// Validates the exercises, several trials at a time. `progress` is called
+/// with the number of trials done and of all.
+std::vector<Validation> validate(
+    const std::vector<course::Exercise>& exercises, int jobs,
+    std::uint64_t seed, const WorkplaceMaker& make_workplace,
+    const std::function<void(int done, int all)>& progress);
+
+}  // namespace grader

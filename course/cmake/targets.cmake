@@ -119,6 +119,10 @@ ${type} ${name}(${parameters}) {
 
 extern \"C\" const course::Entry course_entry;
 constinit const course::Entry course_entry = course::entry_for<&${name}>();
+
+// Static variables with a destructor name it; the bare link has no crtbegin.
+extern \"C\" [[gnu::visibility(\"hidden\")]] void* __dso_handle;
+void* __dso_handle = nullptr;
 ")
 endfunction()
 

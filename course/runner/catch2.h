@@ -2,6 +2,9 @@
 // the other.
 #pragma once
 
+// Messages show the entries of a map.
+#define CATCH_CONFIG_ENABLE_PAIR_STRINGMAKER
+
 #if __has_include(<catch2/catch_all.hpp>)
 #include <catch2/catch_all.hpp>
 #define COURSE_CATCH2 3

@@ -83,11 +83,15 @@ Failure failure_of_last_call() {
     return failure;
 }
 
-/// "0 == 4" without the "0" that came is what was expected.
-std::string expected_of(const std::string& expanded, const std::string& got) {
-    if (got.empty() || expanded.rfind(got, 0) != 0) return expanded;
-    std::string rest = expanded.substr(got.size());
-    for (const char* sign : {" == ", " "})
+/// What was expected: "0 == 4" without the "0" that came. When the check does
+/// not begin with the answer, as in CHECK(f(x).empty()), the check itself.
+std::string expected_of(const Catch::AssertionResult& result,
+                        const std::string& got) {
+    const std::string expanded(result.getExpandedExpression());
+    if (got.empty() || expanded.rfind(got, 0) != 0)
+        return std::string(result.getExpression());
+    const std::string rest = expanded.substr(got.size());
+    for (const char* sign : {" == ", "\n==\n", " ", "\n"})
         if (rest.rfind(sign, 0) == 0) return rest.substr(std::strlen(sign));
     return rest;
 }
@@ -99,7 +103,6 @@ bool is_exception(Catch::ResultWas::OfType type) {
 void note_assertion(const Catch::AssertionStats& stats) {
     const Catch::AssertionResult& result = stats.assertionResult;
     if (result.isOk()) return;
-    const std::string text(result.getExpandedExpression());
     Failure failure = failure_of_last_call();
     for (const Catch::MessageInfo& message : stats.infoMessages)
         failure.note += message.message + "\n";
@@ -112,10 +115,11 @@ void note_assertion(const Catch::AssertionStats& stats) {
         return case_record().add(Verdict::run_time_error, std::move(failure));
     }
     if (failure.call.empty()) failure.call = std::string(result.getExpression());
-    failure.expected = expected_of(text, failure.got);
+    failure.expected = expected_of(result, failure.got);
     if (result.getResultType() == Catch::ResultWas::ExplicitFailure)
         failure.expected = std::string(result.getMessage());
-    if (failure.got.empty()) failure.got = text;
+    if (failure.got.empty())
+        failure.got = std::string(result.getExpandedExpression());
     case_record().add(Verdict::wrong_answer, std::move(failure));
 }
 
@@ -190,6 +194,7 @@ private:
 struct Options {
     int control = -1;
     int results = -1;
+    bool plan_only = false;
     std::uint64_t seed = 1;
     std::string submitted;
     std::vector<std::string> catch_arguments;
@@ -225,7 +230,7 @@ int judge(const Options& options) {
     if (options.results < 0) return session.run();
     the_stream = &stream.emplace(Descriptor(options.results));
     the_stream->plan(all_cases(session));
-    session.run();
+    if (!options.plan_only) session.run();
     the_stream->end();
     return 0;
 }
@@ -243,6 +248,8 @@ int main(int argc, char** argv) {
                    "descriptor of the conversation with the launcher");
     app.add_option("--results", options.results,
                    "descriptor that the results are written to");
+    app.add_flag("--plan", options.plan_only,
+                 "report the cases and run none");
     app.add_option("--seed", options.seed, "seed of generated meshes");
     app.add_option("--submitted", options.submitted,
                    "the submitted file of a data exercise");

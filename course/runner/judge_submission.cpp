@@ -36,7 +36,7 @@ ExerciseResult judge_function(Workplace& workplace, JudgeRun run,
         if (result.verdict == Verdict::grader_fault)
             result.message += "\n" + last_bytes(complaints.get());
     } else {
-        result.verdict = compiled.verdict;
+        result = every_case(run.exercise, run.kind, compiled.verdict);
     }
     if (result.message.empty()) result.message = compiled.messages;
     return result;

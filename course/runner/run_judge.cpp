@@ -12,10 +12,10 @@ namespace course {
 
 namespace {
 
-std::filesystem::path judge_of(const JudgeRun& run) {
+std::filesystem::path judge_of(const Exercise& exercise, JudgeKind kind) {
     const char* kinds[] = {"lab", "grade", "reference"};
-    return build_root() / "judges" / kinds[static_cast<int>(run.kind)] /
-           run.exercise.name;
+    return build_root() / "judges" / kinds[static_cast<int>(kind)] /
+           exercise.name;
 }
 
 std::string how_it_ended(int status) {
@@ -24,41 +24,8 @@ std::string how_it_ended(int status) {
     return fmt::format("signal {}", WTERMSIG(status));
 }
 
-}  // namespace
-
-ExerciseResult run_judge(const JudgeRun& run) {
-    constexpr int control = 3;
-    constexpr int results = 4;
-    DescriptorPair pipe = pipe_pair();
-    const Descriptor complaints = anonymous_file();
-    Command command;
-    command.arguments = {judge_of(run), "--results", std::to_string(results),
-                         "--seed", std::to_string(run.seed)};
-    command.environment = plain_environment();
-    command.descriptors = {{pipe.second.get(), results},
-                           {complaints.get(), 2}};
-    if (run.control) {
-        command.descriptors.emplace_back(run.control.get(), control);
-        command.arguments.insert(command.arguments.end(),
-                                 {"--control", std::to_string(control)});
-    }
-    if (!run.submitted.empty())
-        command.arguments.insert(command.arguments.end(),
-                                 {"--submitted", run.submitted});
-    Process judge(command);
-    pipe.second.reset();
-    const JudgeReport report =
-        read_judge_stream(pipe.first.get(), Clock::now() + run.most);
-    if (!report.ended) judge.kill();
-    const int status = judge.wait();
-    ExerciseResult result = result_of(report);
-    if (!report.ended)
-        result.message += fmt::format(" ({}): {}", how_it_ended(status),
-                                      last_bytes(complaints.get()));
-    lift_load_error(run.exercise, result);
-    return result;
-}
-
+/// A submission that did not load says so in each of its cases; that becomes
+/// the message of the exercise.
 void lift_load_error(const Exercise& exercise, ExerciseResult& result) {
     for (CaseResult& c : result.cases) {
         if (c.verdict != Verdict::compile_error || c.failures.empty()) continue;
@@ -68,6 +35,65 @@ void lift_load_error(const Exercise& exercise, ExerciseResult& result) {
                                  : load_error_text(exercise, c.failures[0].got);
         c.failures.clear();
     }
+}
+
+/// Starts the judge, reads its report, and says how it ended when it broke.
+ExerciseResult report_of(const Exercise& exercise, Command command,
+                         std::chrono::milliseconds most) {
+    constexpr int results = 4;
+    DescriptorPair pipe = pipe_pair();
+    const Descriptor complaints = anonymous_file();
+    command.arguments.insert(command.arguments.end(),
+                             {"--results", std::to_string(results)});
+    command.environment = plain_environment();
+    command.descriptors.emplace_back(pipe.second.get(), results);
+    command.descriptors.emplace_back(complaints.get(), 2);
+    Process judge(command);
+    pipe.second.reset();
+    const JudgeReport report =
+        read_judge_stream(pipe.first.get(), Clock::now() + most);
+    if (!report.ended) judge.kill();
+    const int status = judge.wait();
+    ExerciseResult result = result_of(report);
+    if (!report.ended)
+        result.message += fmt::format(" ({}): {}", how_it_ended(status),
+                                      last_bytes(complaints.get()));
+    lift_load_error(exercise, result);
+    return result;
+}
+
+}  // namespace
+
+ExerciseResult run_judge(const JudgeRun& run) {
+    constexpr int control = 3;
+    Command command;
+    command.arguments = {judge_of(run.exercise, run.kind), "--seed",
+                         std::to_string(run.seed)};
+    if (run.control) {
+        command.descriptors = {{run.control.get(), control}};
+        command.arguments.insert(command.arguments.end(),
+                                 {"--control", std::to_string(control)});
+    }
+    if (!run.submitted.empty())
+        command.arguments.insert(command.arguments.end(),
+                                 {"--submitted", run.submitted});
+    return report_of(run.exercise, std::move(command), run.most);
+}
+
+ExerciseResult every_case(const Exercise& exercise, JudgeKind kind,
+                          Verdict verdict) {
+    Command command;
+    command.arguments = {judge_of(exercise, kind), "--plan"};
+    ExerciseResult result =
+        report_of(exercise, std::move(command), std::chrono::seconds(20));
+    if (result.cases.empty()) throw SystemError(result.message);
+    for (CaseResult& c : result.cases) c.verdict = verdict;
+    result.verdict = verdict;
+    return result;
+}
+
+double planned_points(const Exercise& exercise) {
+    return every_case(exercise, JudgeKind::grade, Verdict::not_submitted).max();
 }
 
 }  // namespace course

@@ -30,8 +30,12 @@ struct JudgeRun {
 /// The result; a judge that fails makes a grader fault that says how.
 ExerciseResult run_judge(const JudgeRun& run);
 
-/// Of a table's result type: the message for a submission that did not load is
-/// the same in all of its cases, so it becomes the message of the exercise.
-void lift_load_error(const Exercise& exercise, ExerciseResult& result);
+/// The cases that grading runs for an exercise, all with this verdict: for a
+/// submission that never gets as far as the judge. Throws SystemError.
+ExerciseResult every_case(const Exercise& exercise, JudgeKind kind,
+                          Verdict verdict);
+
+/// Points of all cases that grading runs for an exercise. Throws SystemError.
+double planned_points(const Exercise& exercise);
 
 }  // namespace course

@@ -1,2 +1,59 @@
+// grader show STUDENT --out OUT
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include "course/runner/nearest.h"
 #include "grader/cli/commands.h"
-namespace grader { void add_show(CLI::App&, int&) {} }
+#include "grader/gradebook/gradebook.h"
+#include "grader/report/class_results.h"
+#include "grader/report/terminal.h"
+
+namespace grader {
+
+namespace {
+
+struct Options {
+    std::string student;
+    std::filesystem::path out;
+};
+
+Assignment assignment_of(const Gradebook& gradebook) {
+    std::vector<std::string> names;
+    if (const auto run = gradebook.last_run())
+        for (const Suite& suite : run->suites) names.push_back(suite.exercise);
+    return default_assignment(names);
+}
+
+int show_command(const Options& options) {
+    const Gradebook gradebook(options.out / "gradebook.sqlite",
+                              Gradebook::Access::read);
+    const ClassResults results =
+        class_results(gradebook, assignment_of(gradebook));
+    const StudentResults* student = find_student(results, options.student);
+    if (student == nullptr) {
+        std::vector<std::string> ids;
+        for (const StudentResults& s : results.students)
+            ids.push_back(s.student.id);
+        throw CannotBegin(fmt::format(
+            "{} has no student \"{}\"{}", options.out.string(),
+            options.student, course::did_you_mean(options.student, ids)));
+    }
+    fmt::print("{}", student_text(results, *student, colour_of(STDOUT_FILENO)));
+    return 0;
+}
+
+}  // namespace
+
+void add_show(CLI::App& program, int& code) {
+    auto options = std::make_shared<Options>();
+    CLI::App* command = program.add_subcommand(
+        "show", "One student's results, hidden cases included");
+    command->add_option("student", options->student, "folder name or id")
+        ->required();
+    command->add_option("--out", options->out, "the folder of a run")
+        ->required();
+    command->footer("Exit code: 0, or 2 when there is no such student.");
+    command->callback([options, &code] { code = show_command(*options); });
+}
+
+}  // namespace grader

@@ -2,12 +2,15 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <fstream>
 #include <sstream>
+#include <tuple>
+#include <utility>
 
 #include "course/runner/compile.h"
 #include "grader/sandbox/filters.h"
@@ -60,12 +63,32 @@ std::vector<std::string> libraries_of(const fs::path& program) {
     return found;
 }
 
+/// Blocks of user numbers where Debian and Ubuntu have no accounts. A grader
+/// holds the lock of the block that it uses: processes are counted by user, and
+/// two graders must not count each other's.
+constexpr int first_block = 50'000;
+constexpr int blocks = 64;
+constexpr int block_size = 64;
+
+std::pair<Descriptor, int> lock_users() {
+    for (int block = 0; block < blocks; ++block) {
+        const std::string name =
+            fmt::format("/run/lock/half-edge-grader-{}", block);
+        Descriptor file(::open(name.c_str(),
+                               O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0600));
+        if (!file) course::throw_errno("cannot open " + name);
+        if (::flock(file.get(), LOCK_EX | LOCK_NB) == 0)
+            return {std::move(file), first_block + block * block_size};
+    }
+    throw course::SystemError(
+        fmt::format("{} graders are running on this machine already", blocks));
+}
+
 /// Root keeps its power in a namespace: each lane gets a user of its own, whose
 /// count of processes is its own, too.
-Arguments as_user(int slot) {
+Arguments as_user(const Stage& stage, int slot) {
     if (::geteuid() != 0) return {};
-    constexpr int first_user = 61'200;  // no accounts there on Debian or Ubuntu
-    const std::string user = std::to_string(first_user + slot);
+    const std::string user = std::to_string(stage.first_user() + slot);
     return {"setpriv",      "--reuid=" + user, "--regid=" + user,
             "--clear-groups", "--no-new-privs",  "--"};
 }
@@ -182,11 +205,12 @@ Stage::Stage() {
     write_file(compile_filter(), grader::compile_filter());
     write_file(worker_filter(), grader::worker_filter());
     libraries_ = libraries_of(worker());
+    if (::geteuid() == 0) std::tie(user_lock_, first_user_) = lock_users();
 }
 
 Probe probe(const Stage& stage) {
     course::Command command;
-    command.arguments = as_user(0);
+    command.arguments = as_user(stage, 0);
     append(command.arguments, bubblewrap());
     append(command.arguments, run_mounts(stage));
     append(command.arguments, {"--remount-ro", "/", "--", "/worker", "--probe"});
@@ -214,7 +238,7 @@ course::Compiled Sandbox::compile(const course::Exercise& exercise,
     const Descriptor status = course::anonymous_file();
     course::Command command;
     command.environment = course::plain_environment();
-    command.arguments = as_user(slot_);
+    command.arguments = as_user(stage_, slot_);
     append(command.arguments, limited({10, 2048, 32, 32}));
     append(command.arguments, bubblewrap());
     append(command.arguments, compile_mounts(stage_));
@@ -241,7 +265,7 @@ course::Process Sandbox::launch(const fs::path& shared,
     const Descriptor strict = open_file(stage_.worker_filter(), O_RDONLY);
     course::Command command;
     command.environment = course::plain_environment();
-    command.arguments = as_user(slot_);
+    command.arguments = as_user(stage_, slot_);
     append(command.arguments, limited({0, 0, 32, 16}));
     append(command.arguments, bubblewrap());
     append(command.arguments, run_mounts(stage_));

@@ -39,12 +39,18 @@ public:
     std::filesystem::path worker_filter() const {
         return folder_ / "worker.bpf";
     }
+    /// The first of the user numbers that this run may use when it is root;
+    /// no other grader on this machine uses them at the same time.
+    int first_user() const { return first_user_; }
+
     /// Shared libraries of the worker, and its loader.
     const std::vector<std::string>& libraries() const { return libraries_; }
 
 private:
     course::TemporaryFolder folder_;
     std::vector<std::string> libraries_;
+    course::Descriptor user_lock_;
+    int first_user_ = 0;
 };
 
 /// Tries a sandbox once.

@@ -1,0 +1,69 @@
+// What a class is graded on: the exercises, their weights, and how much of the
+// hidden cases students may see.
+#pragma once
+
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace grader {
+
+/// What a student is told about a hidden case that failed.
+enum class FeedbackLevel {
+    names,            ///< its name and points
+    names_and_hints,  ///< and the hint of its author
+    full,             ///< everything, as for a public case
+};
+
+struct Assignment {
+    struct Item {
+        std::string exercise;  ///< as in the list of known names
+        double weight = 1;     ///< multiplies the exercise's points
+
+        friend bool operator==(const Item&, const Item&) = default;
+    };
+
+    std::string name;
+    std::vector<Item> exercises;  ///< in the order of the reports
+    FeedbackLevel hidden_feedback = FeedbackLevel::names_and_hints;
+
+    friend bool operator==(const Assignment&, const Assignment&) = default;
+};
+
+/// One mistake in an assignment file.
+struct AssignmentMistake {
+    int line = 0;  ///< 1 is the first; 0 when it is about the file as a whole
+    int column = 0;
+    std::string what;  ///< what was found and what was expected
+
+    friend bool operator==(const AssignmentMistake&,
+                           const AssignmentMistake&) = default;
+};
+
+/// Thrown with every mistake of a file, in the order of the file. what() has a
+/// line for each: "first_light.toml:7:1: ...".
+struct AssignmentError : std::runtime_error {
+    AssignmentError(const std::filesystem::path& file,
+                    std::vector<AssignmentMistake> all);
+    std::vector<AssignmentMistake> mistakes;
+};
+
+/// Reads an assignment file (see grader/assignments/first_light.toml).
+/// `known` are the exercises there are, as "01_traversal/face_sides" or
+/// "face_sides"; the file may leave out the chapter.
+/// Throws AssignmentError.
+Assignment read_assignment(const std::filesystem::path& file,
+                           const std::vector<std::string>& known);
+
+/// What is graded without a file: every known exercise, with weight 1.
+Assignment default_assignment(const std::vector<std::string>& known);
+
+/// "face_sides" of "01_traversal/face_sides".
+std::string_view short_name(std::string_view exercise);
+
+/// "01_traversal" of "01_traversal/face_sides"; empty when there is none.
+std::string_view chapter(std::string_view exercise);
+
+}  // namespace grader

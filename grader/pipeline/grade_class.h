@@ -1,0 +1,48 @@
+// Grades a class: ingest, compile, judge, record. What is recorded stays; a
+// run that was cut short goes on where it stopped.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "course/runner/exercises.h"
+#include "grader/gradebook/gradebook.h"
+#include "grader/pipeline/assignment.h"
+#include "grader/pipeline/ingest.h"
+#include "grader/pipeline/validate.h"
+
+namespace grader {
+
+struct ClassRun {
+    std::vector<course::Exercise> exercises;  ///< those of the assignment
+    SubmittedClass submitted;
+    std::string only;       ///< id or folder name of one student, or empty
+    std::uint64_t seed = 1;
+    int jobs = 1;
+    std::string isolation;  ///< in words
+};
+
+struct Progress {
+    int done = 0;    ///< of those that have to be judged
+    int all = 0;
+    int faults = 0;
+};
+
+/// What a run did.
+struct ClassRunResult {
+    int judged = 0;
+    int unchanged = 0;  ///< had their result already
+    int faults = 0;
+    bool stopped = false;
+};
+
+/// Grades into the gradebook. `stop` is asked between submissions. Throws
+/// GradebookError and SystemError; what was recorded before stays.
+ClassRunResult grade_class(const ClassRun& run, Gradebook& gradebook,
+                           const WorkplaceMaker& make_workplace,
+                           const std::function<void(const Progress&)>& progress,
+                           const std::function<bool()>& stop);
+
+}  // namespace grader

@@ -1,0 +1,37 @@
+// What a result depends on, as a hash: the same key means the same result, and
+// nothing is judged twice.
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "course/runner/exercises.h"
+
+namespace grader {
+
+/// SHA-256 in hexadecimal.
+std::string sha256(std::string_view bytes);
+
+/// Keys of submissions under this build: source, suite, headers, flags,
+/// compiler, worker, limits, seed and isolation all go in.
+class Keys {
+public:
+    /// Reads what does not depend on the submission. Throws SystemError when
+    /// the build is not complete.
+    Keys(const std::vector<course::Exercise>& exercises,
+         const std::string& surroundings);
+
+    /// Changes when the suite of the exercise changes.
+    std::string suite_version(const course::Exercise& exercise) const;
+
+    std::string of(const course::Exercise& exercise,
+                   std::string_view source) const;
+
+private:
+    std::map<std::string, std::string> suites_;  ///< by name of the exercise
+    std::string common_;
+};
+
+}  // namespace grader

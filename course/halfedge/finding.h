@@ -2,6 +2,8 @@
 // the exercise that asks for one.
 #pragma once
 
+#include <compare>
+
 /// A rule of the table that a half-edge breaks. Below, i is the half-edge,
 /// j = he[i].opp and k = he[i].next; a row of the table is a number from 0 to
 /// he.size() - 1, and the tip of i is he[j].vi. Each rule is reported at i

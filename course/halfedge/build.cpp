@@ -1,0 +1,656 @@
+// Building the half-edge table from faces, and the way back.
+#include "course/halfedge/build.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <tuple>
+#include <utility>
+
+#include "course/halfedge/validate.h"
+
+namespace course {
+
+namespace {
+
+std::size_t index(int i) {
+    return static_cast<std::size_t>(i);
+}
+
+bool is_vertex(const IndexedMesh& mesh, int v) {
+    return v >= 0 && v < mesh.vertex_count();
+}
+
+// ---- is there a defect at all: linear, and the same whatever comes
+
+/// Sides by the vertex that they leave. A mesh is sound when none comes twice.
+class Sides {
+public:
+    explicit Sides(const IndexedMesh& mesh) : last_(mesh.positions.size(), -1) {
+        sides_.reserve(mesh.faces.corners().size() +
+                       2 * mesh.loose_edges.size());
+    }
+
+    void add(int from, int to) {
+        int& last = last_[index(from)];
+        sides_.push_back({to, last});
+        last = static_cast<int>(sides_.size()) - 1;
+    }
+
+    bool each_once() const {
+        std::vector<int> reached_from(last_.size(), -1);
+        for (int v = 0; index(v) < last_.size(); ++v)
+            for (int s = last_[index(v)]; s != -1;
+                 s = sides_[index(s)].before) {
+                int& from = reached_from[index(sides_[index(s)].to)];
+                if (from == v) return false;
+                from = v;
+            }
+        return true;
+    }
+
+private:
+    struct Side {
+        int to;
+        int before;  // the side added before it that leaves the same vertex
+    };
+    std::vector<Side> sides_;
+    std::vector<int> last_;
+};
+
+/// `last_face` holds, for each vertex, the last face that came by.
+bool is_sound_face(FaceList::Face corners, int f, std::vector<int>& last_face) {
+    for (const int v : corners) {
+        if (v < 0 || index(v) >= last_face.size()) return false;
+        if (last_face[index(v)] == f) return false;
+        last_face[index(v)] = f;
+    }
+    return corners.size() >= 3;
+}
+
+bool is_sound_edge(const IndexedMesh& mesh, const std::array<int, 2>& edge) {
+    return is_vertex(mesh, edge[0]) && is_vertex(mesh, edge[1]) &&
+           edge[0] != edge[1];
+}
+
+bool is_sound(const IndexedMesh& mesh) {
+    std::vector<int> last_face(mesh.positions.size(), -1);
+    Sides sides(mesh);
+    for (int f = 0; f < mesh.faces.size(); ++f) {
+        const FaceList::Face corners = mesh.faces[f];
+        if (!is_sound_face(corners, f, last_face)) return false;
+        int from = corners.back();
+        for (const int to : corners) {
+            sides.add(from, to);
+            from = to;
+        }
+    }
+    for (const auto& edge : mesh.loose_edges) {
+        if (!is_sound_edge(mesh, edge)) return false;
+        sides.add(edge[0], edge[1]);  // both ways: an edge of a face, in
+        sides.add(edge[1], edge[0]);  // whatever sense, must not be there
+    }
+    return sides.each_once();
+}
+
+// ---- which defects: only when there are any, so that sorting is no loss
+
+/// Adds the defects of face f on its own; true when there are none.
+bool report_face(const IndexedMesh& mesh, int f, std::vector<Defect>& found) {
+    const FaceList::Face corners = mesh.faces[f];
+    const std::size_t before = found.size();
+    if (corners.size() < 3)
+        found.push_back({.kind = DefectKind::too_few_corners,
+                         .faces = {f},
+                         .count = static_cast<int>(corners.size())});
+    for (std::size_t k = 0; k < corners.size(); ++k)
+        if (!is_vertex(mesh, corners[k]))
+            found.push_back({.kind = DefectKind::index_out_of_range,
+                             .faces = {f},
+                             .vertices = {corners[k]},
+                             .corner = static_cast<int>(k),
+                             .count = mesh.vertex_count()});
+    std::vector<int> sorted(corners.begin(), corners.end());
+    std::sort(sorted.begin(), sorted.end());
+    for (std::size_t k = 1; k < sorted.size(); ++k)
+        if (sorted[k] == sorted[k - 1] &&
+            (k == 1 || sorted[k - 2] != sorted[k]))
+            found.push_back({.kind = DefectKind::repeated_vertex,
+                             .faces = {f},
+                             .vertices = {sorted[k]}});
+    return found.size() == before;
+}
+
+/// A face on an edge.
+struct Use {
+    int low, high;  // the ends of the edge
+    int face;
+    bool falling;  // the face runs from the larger end to the smaller
+
+    friend auto operator<=>(const Use&, const Use&) = default;
+};
+
+std::vector<Use> uses_of_edges(const IndexedMesh& mesh,
+                               const std::vector<int>& faces) {
+    std::vector<Use> uses;
+    for (const int f : faces) {
+        int from = mesh.faces[f].back();
+        for (const int to : mesh.faces[f]) {
+            uses.push_back(
+                {std::min(from, to), std::max(from, to), f, from > to});
+            from = to;
+        }
+    }
+    std::sort(uses.begin(), uses.end());
+    return uses;
+}
+
+bool same_edge(const Use& a, const Use& b) {
+    return a.low == b.low && a.high == b.high;
+}
+
+/// The uses of one edge as a defect, if they are one.
+void report_edge(const Use* begin, const Use* end, std::vector<Defect>& found) {
+    const bool falling = begin->falling;
+    const bool alike = end - begin == 2 && falling == begin[1].falling;
+    if (end - begin < 3 && !alike) return;
+    Defect defect{.kind = alike ? DefectKind::faces_wound_alike
+                                : DefectKind::edge_with_many_faces};
+    defect.vertices = {begin->low, begin->high};
+    if (falling) std::swap(defect.vertices[0], defect.vertices[1]);
+    for (const Use* use = begin; use != end; ++use)
+        defect.faces.push_back(use->face);
+    found.push_back(std::move(defect));
+}
+
+void report_edges(const std::vector<Use>& uses, std::vector<Defect>& found) {
+    const Use* const end = uses.data() + uses.size();
+    const Use* begin = uses.data();
+    while (begin != end) {
+        const Use* after = begin + 1;
+        while (after != end && same_edge(*begin, *after)) ++after;
+        report_edge(begin, after, found);
+        begin = after;
+    }
+}
+
+/// The corners in order, from the smallest.
+std::vector<int> from_smallest(FaceList::Face corners) {
+    std::vector<int> rotated(corners.begin(), corners.end());
+    std::rotate(rotated.begin(),
+                std::min_element(rotated.begin(), rotated.end()),
+                rotated.end());
+    return rotated;
+}
+
+void report_duplicates(const IndexedMesh& mesh, const std::vector<int>& faces,
+                       std::vector<Defect>& found) {
+    std::vector<std::pair<std::vector<int>, int>> rotated;
+    for (const int f : faces)
+        rotated.emplace_back(from_smallest(mesh.faces[f]), f);
+    std::sort(rotated.begin(), rotated.end());
+    std::vector<Defect> duplicates;
+    for (std::size_t k = 1; k < rotated.size(); ++k) {
+        if (rotated[k].first != rotated[k - 1].first) continue;
+        if (k == 1 || rotated[k - 2].first != rotated[k].first)
+            duplicates.push_back({.kind = DefectKind::duplicate_face,
+                                  .faces = {rotated[k - 1].second},
+                                  .vertices = rotated[k].first});
+        duplicates.back().faces.push_back(rotated[k].second);
+    }
+    std::sort(duplicates.begin(), duplicates.end(),
+              [](const Defect& a, const Defect& b) {
+                  return a.faces.front() < b.faces.front();
+              });
+    found.insert(found.end(), duplicates.begin(), duplicates.end());
+}
+
+/// Adds the defects of loose edge e on its own; true when there are none.
+bool report_loose_edge(const IndexedMesh& mesh, int e,
+                       std::vector<Defect>& found) {
+    const std::array<int, 2>& edge = mesh.loose_edges[index(e)];
+    const std::size_t before = found.size();
+    for (const int end : {0, 1})
+        if (!is_vertex(mesh, edge[index(end)]))
+            found.push_back({.kind = DefectKind::loose_edge_out_of_range,
+                             .vertices = {edge[index(end)]},
+                             .loose_edges = {e},
+                             .corner = end,
+                             .count = mesh.vertex_count()});
+    if (edge[0] == edge[1])
+        found.push_back({.kind = DefectKind::loose_edge_equal_ends,
+                         .vertices = {edge[0]},
+                         .loose_edges = {e}});
+    return found.size() == before;
+}
+
+/// The faces of the edge between two vertices, ascending.
+std::vector<int> faces_of_edge(const std::vector<Use>& uses, int low,
+                               int high) {
+    std::vector<int> faces;
+    const Use first{low, high, -1, false};
+    for (auto use = std::lower_bound(uses.begin(), uses.end(), first);
+         use != uses.end() && same_edge(*use, first); ++use)
+        faces.push_back(use->face);
+    return faces;
+}
+
+/// Loose edges by their ends, {smaller, larger, number}, sorted.
+std::vector<std::array<int, 3>> sorted_loose_edges(const IndexedMesh& mesh) {
+    std::vector<std::array<int, 3>> sorted;
+    for (const auto& [a, b] : mesh.loose_edges)
+        sorted.push_back(
+            {std::min(a, b), std::max(a, b), static_cast<int>(sorted.size())});
+    std::sort(sorted.begin(), sorted.end());
+    return sorted;
+}
+
+void report_loose_edges(const IndexedMesh& mesh, const std::vector<Use>& uses,
+                        std::vector<Defect>& found) {
+    const std::vector<std::array<int, 3>> sorted = sorted_loose_edges(mesh);
+    for (int e = 0; index(e) < mesh.loose_edges.size(); ++e) {
+        if (!report_loose_edge(mesh, e, found)) continue;
+        const auto [a, b] = mesh.loose_edges[index(e)];
+        const int low = std::min(a, b);
+        const int high = std::max(a, b);
+        Defect defect{.kind = DefectKind::loose_edge_repeated,
+                      .faces = faces_of_edge(uses, low, high),
+                      .vertices = {a, b},
+                      .loose_edges = {e}};
+        const int first = (*std::lower_bound(sorted.begin(), sorted.end(),
+                                             std::array{low, high, 0}))[2];
+        if (first != e) defect.loose_edges.push_back(first);
+        if (first != e || !defect.faces.empty())
+            found.push_back(std::move(defect));
+    }
+}
+
+std::vector<Defect> report(const IndexedMesh& mesh) {
+    std::vector<Defect> found;
+    std::vector<int> sound;
+    for (int f = 0; f < mesh.faces.size(); ++f)
+        if (report_face(mesh, f, found)) sound.push_back(f);
+    const std::vector<Use> uses = uses_of_edges(mesh, sound);
+    report_edges(uses, found);
+    report_duplicates(mesh, sound, found);
+    report_loose_edges(mesh, uses, found);
+    return found;
+}
+
+// ---- the texts
+
+std::string listed(const std::vector<int>& numbers) {
+    if (numbers.size() == 1) return fmt::format("{}", numbers[0]);
+    const std::vector<int> head(numbers.begin(), numbers.end() - 1);
+    return fmt::format("{} and {}", fmt::join(head, ", "), numbers.back());
+}
+
+std::string face_text(const Defect& d) {
+    const int f = d.faces.front();
+    if (d.kind == DefectKind::too_few_corners)
+        return fmt::format("face {} has {} corner{}, but a face has at least 3",
+                           f, d.count, d.count == 1 ? "" : "s");
+    if (d.kind == DefectKind::repeated_vertex)
+        return fmt::format(
+            "face {} names vertex {} more than once, but the corners of a face "
+            "differ",
+            f, d.vertices[0]);
+    return fmt::format(
+        "face {}, corner {}: the vertex is {}, but the mesh has {} vertices, "
+        "numbered from 0",
+        f, d.corner, d.vertices[0], d.count);
+}
+
+std::string faces_text(const Defect& d) {
+    if (d.kind == DefectKind::duplicate_face)
+        return fmt::format(
+            "faces {} are the same face, with the vertices {}; a face comes "
+            "once",
+            listed(d.faces), fmt::join(d.vertices, ", "));
+    if (d.kind == DefectKind::faces_wound_alike)
+        return fmt::format(
+            "edge {}-{}: faces {} both run from {} to {}, but two faces run "
+            "along their edge in opposite directions",
+            d.vertices[0], d.vertices[1], listed(d.faces), d.vertices[0],
+            d.vertices[1]);
+    return fmt::format("edge {}-{} has {} faces, {}, but an edge has at most 2",
+                       d.vertices[0], d.vertices[1], d.faces.size(),
+                       listed(d.faces));
+}
+
+std::string loose_edge_text(const Defect& d) {
+    const int e = d.loose_edges.front();
+    if (d.kind == DefectKind::loose_edge_out_of_range)
+        return fmt::format(
+            "loose edge {}, end {}: the vertex is {}, but the mesh has {} "
+            "vertices, numbered from 0",
+            e, d.corner, d.vertices[0], d.count);
+    if (d.kind == DefectKind::loose_edge_equal_ends)
+        return fmt::format(
+            "loose edge {} joins vertex {} to itself, but an edge has two ends",
+            e, d.vertices[0]);
+    const std::string first =
+        d.faces.empty() ? fmt::format("loose edge {}", d.loose_edges[1])
+                        : fmt::format("an edge of {} {}",
+                                      d.faces.size() == 1 ? "face" : "faces",
+                                      listed(d.faces));
+    return fmt::format(
+        "loose edge {} joins vertices {} and {}, but {} does so already", e,
+        d.vertices[0], d.vertices[1], first);
+}
+
+std::string lines_of(const std::vector<Defect>& defects) {
+    std::string lines;
+    for (const Defect& defect : defects)
+        lines += (lines.empty() ? "" : "\n") + to_string(defect);
+    return lines;
+}
+
+// ---- the table itself
+
+/// Opposite half-edges are made together, as rows 2e and 2e+1, the second one
+/// as a border half-edge. Until a face takes it, it waits at the smaller end of
+/// its edge, in a list that goes through its `next`, which is free so long.
+class Builder {
+public:
+    explicit Builder(const IndexedMesh& mesh)
+        : waiting_(mesh.positions.size(), -1) {
+        // An upper bound; memory that is never touched costs nothing.
+        rows_.reserve(2 *
+                      (mesh.faces.corners().size() + mesh.loose_edges.size()));
+        for (int f = 0; f < mesh.faces.size(); ++f) add_face(mesh.faces[f], f);
+        for (const auto& edge : mesh.loose_edges)
+            add_edge(edge[0], edge[1], -1);
+        link_borders();
+    }
+
+    HalfEdgeTable table() && { return HalfEdgeTable(std::move(rows_)); }
+
+private:
+    HalfEdge& row(int i) { return rows_[index(i)]; }
+
+    int add_edge(int from, int to, int face) {
+        const int i = static_cast<int>(rows_.size());
+        rows_.push_back({from, face, -1, i + 1});
+        rows_.push_back({to, -1, -1, i});
+        return i;
+    }
+
+    int side(int from, int to, int face) {
+        int& first = waiting_[index(std::min(from, to))];
+        for (int* link = &first; *link != -1; link = &row(*link).next) {
+            const int i = *link;
+            if (row(i).vi != from || row(i - 1).vi != to) continue;
+            *link = row(i).next;
+            row(i).fi = face;
+            return i;
+        }
+        const int i = add_edge(from, to, face);
+        row(i + 1).next = first;
+        first = i + 1;
+        return i;
+    }
+
+    void add_face(FaceList::Face corners, int face) {
+        int first = -1;
+        int last = -1;
+        for (std::size_t k = 0; k < corners.size(); ++k) {
+            const int to = corners[k + 1 < corners.size() ? k + 1 : 0];
+            const int i = side(corners[k], to, face);
+            if (last == -1)
+                first = i;
+            else
+                row(last).next = i;
+            last = i;
+        }
+        row(last).next = first;
+    }
+
+    /// From a border half-edge round its vertex, over the faces of its fan, to
+    /// the border half-edge that comes in at the other end of the fan.
+    int other_end_of_fan(int i) {
+        int j = row(i).opp;
+        while (row(j).fi != -1) j = row(row(j).next).opp;
+        return j;
+    }
+
+    /// Each fan is closed by itself first; a later fan of the same vertex, or a
+    /// loose edge, which is a fan without faces, is spliced into the first.
+    void link_borders() {
+        std::vector<int>& entry = waiting_;  // a border half-edge to the vertex
+        std::fill(entry.begin(), entry.end(), -1);
+        for (int i = 0; index(i) < rows_.size(); ++i) {
+            if (row(i).fi != -1) continue;
+            const int j = other_end_of_fan(i);
+            row(j).next = i;
+            int& before = entry[index(row(i).vi)];
+            if (before == -1)
+                before = j;
+            else
+                std::swap(row(before).next, row(j).next);
+        }
+    }
+
+    std::vector<HalfEdge> rows_;
+    std::vector<int> waiting_;
+};
+
+// ---- fans
+
+/// Corners of a mesh by vertex, in groups that share an edge at the vertex.
+class Fans {
+public:
+    explicit Fans(std::size_t vertices) : last_(vertices, -1) {}
+
+    /// A corner at v, between the vertices before and after it in its face.
+    void add(int v, int previous, int next) {
+        int& last = last_[index(v)];
+        const int corner = static_cast<int>(corners_.size());
+        corners_.push_back({previous, next, last, corner});
+        last = corner;
+    }
+
+    std::vector<int> vertices_with_many() {
+        std::vector<std::array<int, 2>> seen(last_.size(), {-1, -1});
+        std::vector<int> many;
+        for (int v = 0; index(v) < last_.size(); ++v)
+            if (count_at(v, seen) > 1) many.push_back(v);
+        return many;
+    }
+
+private:
+    struct Corner {
+        int previous, next;  // the neighbours of the vertex
+        int before;          // corner added before it at the same vertex
+        int parent;          // towards the corner that stands for the group
+    };
+
+    int find(int c) {
+        while (corners_[index(c)].parent != c)
+            c = corners_[index(c)].parent =
+                corners_[index(corners_[index(c)].parent)].parent;
+        return c;
+    }
+
+    /// seen[u] is {v, c} when corner c of v has u as a neighbour.
+    int count_at(int v, std::vector<std::array<int, 2>>& seen) {
+        int groups = 0;
+        for (int c = last_[index(v)]; c != -1; c = corners_[index(c)].before) {
+            ++groups;
+            for (const int u :
+                 {corners_[index(c)].previous, corners_[index(c)].next}) {
+                std::array<int, 2>& other = seen[index(u)];
+                if (other[0] != v) other = {v, c};
+                const int a = find(c);
+                const int b = find(other[1]);
+                if (a != b) --groups;
+                corners_[index(a)].parent = b;
+            }
+        }
+        return groups;
+    }
+
+    std::vector<Corner> corners_;
+    std::vector<int> last_;
+};
+
+void require_countable(const IndexedMesh& mesh) {
+    course::require_countable(mesh.positions.size(), index(mesh.faces.size()),
+                              mesh.faces.corners().size(),
+                              mesh.loose_edges.size());
+}
+
+// ---- the way back
+
+void require_valid(const HalfEdgeTable& he) {
+    const std::vector<Finding> findings = validate(he);
+    if (!findings.empty())
+        throw std::invalid_argument(to_string(he, findings.front()));
+}
+
+/// For each face a half-edge that runs along it.
+std::vector<int> first_half_edges(const std::vector<HalfEdge>& rows) {
+    std::vector<int> first;
+    for (int i = 0; index(i) < rows.size(); ++i) {
+        const int f = rows[index(i)].fi;
+        if (f == -1) continue;
+        if (index(f) >= rows.size())
+            throw std::invalid_argument(fmt::format(
+                "half-edge {}: fi is {}, but {} half-edges cannot have so many "
+                "faces",
+                i, f, rows.size()));
+        if (index(f) >= first.size()) first.resize(index(f) + 1, -1);
+        if (first[index(f)] == -1) first[index(f)] = i;
+    }
+    for (std::size_t f = 0; f < first.size(); ++f)
+        if (first[f] == -1)
+            throw std::invalid_argument(fmt::format(
+                "face {} has no half-edge, but there are faces up to {}", f,
+                first.size() - 1));
+    return first;
+}
+
+}  // namespace
+
+std::string to_string(const Defect& defect) {
+    switch (defect.kind) {
+        case DefectKind::too_few_corners:
+        case DefectKind::index_out_of_range:
+        case DefectKind::repeated_vertex:
+            return face_text(defect);
+        case DefectKind::edge_with_many_faces:
+        case DefectKind::faces_wound_alike:
+        case DefectKind::duplicate_face:
+            return faces_text(defect);
+        case DefectKind::loose_edge_out_of_range:
+        case DefectKind::loose_edge_equal_ends:
+        case DefectKind::loose_edge_repeated:
+            return loose_edge_text(defect);
+    }
+    return "unknown defect";
+}
+
+BuildError::BuildError(std::vector<Defect> defects)
+    : std::invalid_argument(lines_of(defects)), defects_(std::move(defects)) {}
+
+void require_countable(std::size_t vertices, std::size_t faces,
+                       std::size_t corners, std::size_t loose_edges) {
+    constexpr std::size_t most = std::numeric_limits<int>::max();
+    const auto check = [](std::size_t count, const char* what,
+                          std::size_t max) {
+        if (count > max)
+            throw std::length_error(
+                fmt::format("the mesh has {} {}, but the table has numbers for "
+                            "at most {}",
+                            count, what, max));
+    };
+    check(vertices, "vertices", most);
+    check(faces, "faces", most);
+    check(corners, "corners", most / 2);
+    check(loose_edges, "loose edges", most / 2 - corners);
+}
+
+std::vector<Defect> defects(const IndexedMesh& mesh) {
+    require_countable(mesh);
+    if (is_sound(mesh)) return {};
+    return report(mesh);
+}
+
+std::vector<int> bow_tie_vertices(const IndexedMesh& mesh) {
+    require_countable(mesh);
+    std::vector<int> last_face(mesh.positions.size(), -1);
+    Fans fans(mesh.positions.size());
+    for (int f = 0; f < mesh.faces.size(); ++f) {
+        const FaceList::Face corners = mesh.faces[f];
+        if (!is_sound_face(corners, f, last_face)) continue;
+        const std::size_t n = corners.size();
+        for (std::size_t k = 0; k < n; ++k)
+            fans.add(corners[k], corners[(k + n - 1) % n],
+                     corners[(k + 1) % n]);
+    }
+    return fans.vertices_with_many();
+}
+
+HalfEdgeTable build(const IndexedMesh& mesh) {
+    std::vector<Defect> found = defects(mesh);
+    if (!found.empty()) throw BuildError(std::move(found));
+    return Builder(mesh).table();
+}
+
+FaceList to_faces(const HalfEdgeTable& he) {
+    require_valid(he);
+    const std::vector<HalfEdge>& rows = he.rows();
+    const std::vector<int> first = first_half_edges(rows);
+    FaceList faces;
+    faces.reserve(first.size(), rows.size());
+    std::vector<int> corners;
+    for (const int start : first) {
+        corners.clear();
+        int i = start;
+        do {
+            corners.push_back(rows[index(i)].vi);
+            i = rows[index(i)].next;
+        } while (i != start);
+        faces.push_back(corners);
+    }
+    return faces;
+}
+
+std::vector<std::array<int, 2>> loose_edges(const HalfEdgeTable& he) {
+    require_valid(he);
+    const std::vector<HalfEdge>& rows = he.rows();
+    std::vector<std::array<int, 2>> edges;
+    for (int i = 0; i < he.size(); ++i) {
+        const HalfEdge& row = rows[index(i)];
+        const HalfEdge& other = rows[index(row.opp)];
+        if (i < row.opp && row.fi == -1 && other.fi == -1)
+            edges.push_back({row.vi, other.vi});
+    }
+    return edges;
+}
+
+HalfEdgeTable add_dangling_edge(const HalfEdgeTable& he, int border,
+                                int new_vertex) {
+    std::vector<HalfEdge> rows = he.rows();
+    if (border < 0 || border >= he.size())
+        throw std::invalid_argument(fmt::format(
+            "half-edge {} does not exist: the table has {} half-edges", border,
+            he.size()));
+    if (rows[index(border)].fi != -1)
+        throw std::invalid_argument(fmt::format(
+            "half-edge {} runs along face {}, but a dangling edge needs the "
+            "border",
+            border, rows[index(border)].fi));
+    if (new_vertex < 0)
+        throw std::invalid_argument(fmt::format(
+            "the new vertex is {}, but vertices are 0 or more", new_vertex));
+    const int out = he.size();
+    const int tip = rows[index(rows[index(border)].opp)].vi;
+    rows.push_back({tip, -1, out + 1, out + 1});
+    rows.push_back({new_vertex, -1, rows[index(border)].next, out});
+    rows[index(border)].next = out;
+    return HalfEdgeTable(std::move(rows));
+}
+
+}  // namespace course

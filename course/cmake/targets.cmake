@@ -161,6 +161,7 @@ function(course_entry name)
         COMMAND ${CMAKE_COMMAND} -E copy $<TARGET_OBJECTS:${name}_entry> ${file}
         DEPENDS ${name}_entry $<TARGET_OBJECTS:${name}_entry>)
     add_custom_target(${name}_entry_file ALL DEPENDS ${file})
+    add_dependencies(lab_ready ${name}_entry_file)
 endfunction()
 
 # All targets of one exercise, from the files that it consists of:
@@ -187,6 +188,7 @@ function(course_add_exercise topic name)
     course_suite(${name}_shown
                  ${CMAKE_SOURCE_DIR}/exercises/${topic}/${name}_test.cpp)
     course_judge(lab ${name} SOURCES ${proxy} SUITES ${name}_shown)
+    add_dependencies(lab_ready judge_lab_${name})
     if(NOT EXISTS ${hidden})
         return()
     endif()
@@ -195,6 +197,8 @@ function(course_add_exercise topic name)
                  SUITES ${name}_shown ${name}_hidden LINK course_oracle)
     course_judge(reference ${name} SOURCES ${reference}
                  SUITES ${name}_shown ${name}_hidden LINK course_oracle)
+    add_dependencies(grader_ready judge_grade_${name})
+    add_dependencies(validate_ready judge_reference_${name})
 endfunction()
 
 # An exercise is added by adding its files: each contract makes one.

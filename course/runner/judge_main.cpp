@@ -96,6 +96,17 @@ std::string expected_of(const Catch::AssertionResult& result,
     return rest;
 }
 
+/// A check that calls no function of the student: "3 == 4" is what came, and
+/// what was expected.
+void split_comparison(const Catch::AssertionResult& result, Failure& failure) {
+    failure.call = std::string(result.getExpression());
+    const std::string expanded(result.getExpandedExpression());
+    for (const char* sign : {" == ", "\n==\n"})
+        if (const auto at = expanded.find(sign);
+            failure.got.empty() && at != std::string::npos)
+            failure.got = expanded.substr(0, at);
+}
+
 bool is_exception(Catch::ResultWas::OfType type) {
     return type == Catch::ResultWas::ThrewException;
 }
@@ -114,7 +125,7 @@ void note_assertion(const Catch::AssertionStats& stats) {
         failure.got = "an exception: " + message;
         return case_record().add(Verdict::run_time_error, std::move(failure));
     }
-    if (failure.call.empty()) failure.call = std::string(result.getExpression());
+    if (failure.call.empty()) split_comparison(result, failure);
     failure.expected = expected_of(result, failure.got);
     if (result.getResultType() == Catch::ResultWas::ExplicitFailure)
         failure.expected = std::string(result.getMessage());

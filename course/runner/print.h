@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "course/halfedge/finding.h"
 #include "course/runner/catch2.h"
 #include "course/runner/codec.h"
 
@@ -26,6 +27,12 @@ std::string show(const T& value) {
 }  // namespace course
 
 namespace Catch {
+
+/// A fault by the name that contracts give it.
+template <>
+struct StringMaker<Fault> {
+    static std::string convert(Fault fault);
+};
 
 /// A table: as many rows as help, then how many more.
 template <>

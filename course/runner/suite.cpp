@@ -1,6 +1,7 @@
 #include "course/runner/suite.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "course/halfedge/build.h"
@@ -9,6 +10,16 @@
 #include "course/runner/case_record.h"
 
 namespace Catch {
+
+std::string StringMaker<Fault>::convert(Fault fault) {
+    constexpr std::array<const char*, 11> names = {
+        "vertex_out_of_range", "face_out_of_range", "next_out_of_range",
+        "opp_out_of_range",    "opp_is_itself",     "opp_not_mutual",
+        "opp_same_start",      "next_not_at_tip",   "next_changes_face",
+        "next_shared",         "face_in_two_loops"};
+    const auto index = static_cast<std::size_t>(fault);
+    return index < names.size() ? names[index] : "no fault that there is";
+}
 
 std::string StringMaker<HalfEdgeTable>::convert(const HalfEdgeTable& he) {
     constexpr int most = 24;

@@ -1,0 +1,19 @@
+// The result of a check, told to the student on a terminal.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "course/runner/exercises.h"
+#include "course/runner/results.h"
+
+namespace course {
+
+/// Verdict, messages of the compiler, cases; the first failed case in full:
+/// call, expected, got, walk, the table with the rows of the walk marked, hint.
+/// Text of the submission is shown with control characters spelled out.
+std::string explain_result(const Exercise& exercise,
+                           const std::filesystem::path& file,
+                           const ExerciseResult& result);
+
+}  // namespace course

@@ -1,0 +1,31 @@
+#include "exercises/00_table/prev.h"
+
+#include "course/runner/suite.h"
+
+using namespace course;
+
+TEST_CASE("in a triangle, the half-edge before is two steps ahead",
+          "[points:1]") {
+    hint("If you follow next for ever, what do you meet just before i?");
+    const Fixture slide = zoo::slide();
+    const OnMesh on(slide);
+    CHECK(::prev(slide.he, 3) == 1);
+    CHECK(::prev(slide.he, 8) == 9);
+}
+
+TEST_CASE("faces with more sides have a longer way round", "[points:1]") {
+    hint("How many steps do you take, and who told you that number?");
+    const Fixture slide = zoo::slide();
+    const OnMesh on(slide);
+    CHECK(::prev(slide.he, 4) == 12);
+    CHECK(::prev(slide.he, 11) == 4);
+}
+
+TEST_CASE("the half-edge before a border half-edge is on the border",
+          "[points:1]") {
+    hint("Is a border loop any different from a face, for next?");
+    const Fixture slide = zoo::slide();
+    const OnMesh on(slide);
+    CHECK(::prev(slide.he, 0) == 13);
+    CHECK(::prev(slide.he, 7) == 6);
+}

@@ -1,0 +1,95 @@
+// Hidden suite of prev.
+#include "exercises/00_table/prev.h"
+#include "course/runner/suite.h"
+#include "grader/suites/00_table/by_definition.h"
+#include "grader/suites/meshes.h"
+
+using namespace course;
+using oracle::row;
+
+namespace {
+
+/// The half-edge that runs along face f from its corner before `vertex`.
+int side_before(const Fixture& fixture, int f, int vertex) {
+    for (int j = 0; j < fixture.he.size(); ++j)
+        if (row(fixture, j).fi == f && oracle::arrives_at(fixture, j) == vertex)
+            return j;
+    return -1;
+}
+
+void check_all(const Fixture& fixture) {
+    const OnMesh on(fixture);
+    const std::vector<int> before = oracle::previous(fixture.he);
+    for (int i = 0; i < fixture.he.size(); ++i)
+        CHECK(::prev(fixture.he, i) == before[static_cast<std::size_t>(i)]);
+}
+
+void check_border(const Fixture& fixture) {
+    const OnMesh on(fixture);
+    const std::vector<int> before = oracle::previous(fixture.he);
+    for (const int i : oracle::border(fixture))
+        CHECK(::prev(fixture.he, i) == before[static_cast<std::size_t>(i)]);
+}
+
+/// Reads that the contract allows: generous to a walk and to a turn.
+std::int64_t allowance(std::int64_t loop, std::int64_t star) {
+    return 4 * (loop + star) + 8;
+}
+
+}  // namespace
+
+TEST_CASE("faces of every size, at each of their sides", "[points:2]") {
+    hint("Which half-edge of the face has i as its next?");
+    for (const Fixture& fixture : all_fixtures()) {
+        const OnMesh on(fixture);
+        for (int i = 0; i < fixture.he.size(); ++i) {
+            const HalfEdge& half_edge = row(fixture, i);
+            if (half_edge.fi != -1)
+                CHECK(::prev(fixture.he, i) ==
+                      side_before(fixture, half_edge.fi, half_edge.vi));
+        }
+    }
+}
+
+TEST_CASE("border loops of every mesh, at each half-edge", "[points:1]") {
+    hint("How long may a border loop be, and does your walk know when to end?");
+    for (const Fixture& fixture : all_fixtures()) check_border(fixture);
+}
+
+TEST_CASE("a vertex that a loop passes more than once", "[points:1]") {
+    hint(
+        "Two half-edges of one loop may arrive at the vertex of i. Which of "
+        "them goes on with i?");
+    for (const Fixture& fixture :
+         {zoo::bow_tie_crossed(), zoo::bow_tie_separate(), hidden::spur(),
+          hidden::keyhole()}) {
+        check_all(fixture);
+        check_all(renumbered(fixture));
+    }
+}
+
+TEST_CASE("an edge without any face, there and back", "[points:1]") {
+    hint("How did the walk come to the half-edge that leaves a loose end?");
+    check_border(zoo::dangling());
+    check_border(renumbered(zoo::dangling(), 1));
+    check_border(renumbered(zoo::dangling(), 2));
+}
+
+TEST_CASE("the half-edge before, on generated meshes", "[points:1]") {
+    hint("Which of your steps relies on how the table is numbered?");
+    for (const Fixture& fixture : generated_fixtures()) check_all(fixture);
+}
+
+TEST_CASE("the way back costs no more than one way round", "[points:1]") {
+    hint(
+        "Which half-edges can come before i? Must you look at all the others?");
+    const Fixture& large = a_million_half_edges();
+    const std::vector<int> before = oracle::previous(large.he);
+    const std::size_t border_length = oracle::border(large).size();
+    for (const int i : oracle::some_half_edges(large)) {
+        const std::size_t length = row(large, i).fi == -1 ? border_length : 4;
+        const ReadBudget budget(
+            large.he, allowance(static_cast<std::int64_t>(length), 4));
+        REQUIRE(::prev(large.he, i) == before[static_cast<std::size_t>(i)]);
+    }
+}

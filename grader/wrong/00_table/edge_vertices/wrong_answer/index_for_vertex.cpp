@@ -1,0 +1,6 @@
+// Gives the index of the opposite half-edge, not the vertex it leaves.
+#include "exercises/00_table/edge_vertices.h"
+
+std::array<int, 2> edge_vertices(const HalfEdgeTable& he, int i) {
+    return {he[i].vi, he[i].opp};
+}

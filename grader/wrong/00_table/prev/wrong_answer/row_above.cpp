@@ -1,0 +1,6 @@
+// Assumes that the rows of a face stand one below the other.
+#include "exercises/00_table/prev.h"
+
+int prev(const HalfEdgeTable& he, int i) {
+    return i == 0 ? he.size() - 1 : i - 1;
+}

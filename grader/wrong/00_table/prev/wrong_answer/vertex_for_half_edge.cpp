@@ -1,0 +1,8 @@
+// Gives the vertex that the half-edge before leaves, not the half-edge.
+#include "exercises/00_table/prev.h"
+
+int prev(const HalfEdgeTable& he, int i) {
+    int j = i;
+    while (he[j].next != i) j = he[j].next;
+    return he[j].vi;
+}

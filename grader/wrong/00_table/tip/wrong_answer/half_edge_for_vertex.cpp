@@ -1,0 +1,6 @@
+// Gives the next half-edge, not the vertex that it leaves.
+#include "exercises/00_table/tip.h"
+
+int tip(const HalfEdgeTable& he, int i) {
+    return he[i].next;
+}

@@ -1,0 +1,8 @@
+// Goes to opp and then to next: that half-edge leaves the vertex of i.
+#include "exercises/00_table/tip.h"
+
+int tip(const HalfEdgeTable& he, int i) {
+    i = he[i].opp;
+    i = he[i].next;
+    return he[i].vi;
+}

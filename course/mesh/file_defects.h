@@ -1,0 +1,93 @@
+// What may be wrong with a mesh file, and the work on its text that the OBJ and
+// OFF code have in common.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "course/mesh/indexed_mesh.h"
+
+namespace course {
+
+/// One thing wrong with a mesh file.
+struct FileDefect {
+    int line;  ///< from 1; 0: the file as a whole
+    std::string what;
+
+    friend bool operator==(const FileDefect&, const FileDefect&) = default;
+};
+
+/// Thrown for a mesh file that cannot be read or written. what() has a line
+/// for each defect: `cube.obj:9: f has 2 corners, expected at least 3`.
+class MeshFileError : public std::runtime_error {
+public:
+    MeshFileError(const std::filesystem::path& file,
+                  std::vector<FileDefect> defects);
+    /// All of them, by line.
+    const std::vector<FileDefect>& defects() const { return defects_; }
+
+private:
+    std::vector<FileDefect> defects_;
+};
+
+/// Collects defects while a file is read.
+class FileDefects {
+public:
+    void add(int line, std::string what);
+    /// Throws MeshFileError with what was added, by line; else does nothing.
+    void throw_if_any(const std::filesystem::path& file);
+
+private:
+    std::vector<FileDefect> defects_;
+};
+
+/// The whole file. Throws MeshFileError when it cannot be read.
+std::string read_text(const std::filesystem::path& file);
+
+/// Writes the whole file under another name beside it and renames that: the
+/// file is the old or the new one at any time. Throws MeshFileError.
+void replace_text(const std::filesystem::path& file, std::string_view text);
+
+/// Throws std::invalid_argument when the mesh cannot go into a file and come
+/// back: a coordinate that is not finite, a face with fewer than three corners,
+/// an index that is no vertex.
+void require_writable(const IndexedMesh& mesh);
+
+/// The lines of a text, without comments (`#` to the end) and the blanks
+/// around. They end in LF, CRLF or CR, the last one perhaps in nothing; a byte
+/// order mark is passed over. Precondition: the text outlives it.
+class Lines {
+public:
+    explicit Lines(std::string_view text);
+    /// Goes to the next line, at first to the first; false after the last.
+    bool next();
+    std::string_view line() const { return line_; }
+    int number() const { return number_; }
+
+private:
+    std::string_view rest_;
+    std::string_view line_;
+    int number_ = 0;
+};
+
+/// The words between blanks and tabs.
+std::vector<std::string_view> words_of(std::string_view line);
+
+/// The word as messages show it: in quotes, short, and printable.
+std::string quoted(std::string_view word);
+
+/// `1 corner`, `2 corners`.
+std::string counted(std::size_t n, const char* noun);
+
+/// Reads a finite number, in any locale; returns what is wrong with the word,
+/// or "". `1`, `+.5`, `-2e3` are numbers; `nan`, `1e999`, `1x` are not.
+std::string read_number(std::string_view word, double& value);
+
+/// Reads a whole number; returns what is wrong with the word, or "".
+std::string read_integer(std::string_view word, int& value);
+
+}  // namespace course

@@ -1,0 +1,22 @@
+#include "exercises/01_traversal/face_sides.h"
+
+#include "course/runner/suite.h"
+
+using namespace course;
+
+TEST_CASE("the faces of the slide mesh have 3, 4 and 3 sides", "[points:2]") {
+    hint("What do you count, and when have you counted every side once?");
+    const Fixture slide = zoo::slide();
+    const OnMesh on(slide);
+    CHECK(face_sides(slide.he, 1) == 3);
+    CHECK(face_sides(slide.he, 4) == 4);
+    CHECK(face_sides(slide.he, 8) == 3);
+}
+
+TEST_CASE("a half-edge on the border has no face to count", "[points:1]") {
+    hint("What does fi say on the border?");
+    const Fixture slide = zoo::slide();
+    const OnMesh on(slide);
+    CHECK(face_sides(slide.he, 0) == 0);
+    CHECK(face_sides(slide.he, 7) == 0);
+}

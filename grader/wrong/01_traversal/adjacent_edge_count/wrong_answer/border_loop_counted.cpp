@@ -1,0 +1,12 @@
+// Does not ask whether i has a face: counts along the border loop.
+#include "exercises/01_traversal/adjacent_edge_count.h"
+
+int adjacent_edge_count(const HalfEdgeTable& he, int i) {
+    int start = i;
+    int count = 0;
+    do {
+        if (he[he[i].opp].fi != -1) count++;
+        i = he[i].next;
+    } while (i != start);
+    return count;
+}

@@ -1,0 +1,12 @@
+// Does not ask whether there is a face: counts the border loop.
+#include "exercises/01_traversal/face_sides.h"
+
+int face_sides(const HalfEdgeTable& he, int i) {
+    int start = i;
+    int sides = 0;
+    do {
+        sides++;
+        i = he[i].next;
+    } while (i != start);
+    return sides;
+}

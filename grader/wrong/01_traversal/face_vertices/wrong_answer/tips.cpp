@@ -1,0 +1,13 @@
+// Notes the tip of each side, so the first vertex comes last.
+#include "exercises/01_traversal/face_vertices.h"
+
+std::vector<int> face_vertices(const HalfEdgeTable& he, int i) {
+    if (he[i].fi == -1) return {};
+    int start = i;
+    std::vector<int> vertices;
+    do {
+        vertices.push_back(he[he[i].opp].vi);
+        i = he[i].next;
+    } while (i != start);
+    return vertices;
+}

@@ -1,0 +1,9 @@
+// Counts the rows of the vertex in the whole table.
+#include "exercises/01_traversal/vertex_degree.h"
+
+int vertex_degree(const HalfEdgeTable& he, int i) {
+    int degree = 0;
+    for (int k = 0; k < he.size(); k++)
+        if (he[k].vi == he[i].vi) degree++;
+    return degree;
+}

@@ -1,0 +1,12 @@
+// Lists a face as often as the walk meets it.
+#include "exercises/01_traversal/vertex_faces.h"
+
+std::vector<int> vertex_faces(const HalfEdgeTable& he, int i) {
+    int start = i;
+    std::vector<int> faces;
+    do {
+        if (he[i].fi != -1) faces.push_back(he[i].fi);
+        i = he[he[i].opp].next;
+    } while (i != start);
+    return faces;
+}

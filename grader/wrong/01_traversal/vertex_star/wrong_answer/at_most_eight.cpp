@@ -1,0 +1,14 @@
+// Has room for eight neighbours.
+#include "exercises/01_traversal/vertex_star.h"
+
+std::vector<int> vertex_star(const HalfEdgeTable& he, int i) {
+    int start = i;
+    int count = 0;
+    int room[8];
+    do {
+        i = he[i].opp;
+        if (count < 8) room[count++] = he[i].vi;
+        i = he[i].next;
+    } while (i != start);
+    return std::vector<int>(room, room + count);
+}

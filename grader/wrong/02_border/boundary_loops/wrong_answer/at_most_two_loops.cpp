@@ -1,0 +1,28 @@
+// Assumes that a mesh has at most two borders.
+#include "exercises/02_border/boundary_loops.h"
+
+namespace {
+
+std::vector<int> walk_from(const HalfEdgeTable& he, int start) {
+    std::vector<int> loop;
+    int i = start;
+    do {
+        loop.push_back(i);
+        i = he[i].next;
+    } while (i != start);
+    return loop;
+}
+
+}  // namespace
+
+std::vector<std::vector<int>> boundary_loops(const HalfEdgeTable& he) {
+    std::vector<std::vector<int>> loops;
+    for (int i = 0; i < he.size() && loops.size() < 2; ++i) {
+        if (he[i].fi != -1) continue;
+        bool known = false;
+        for (const std::vector<int>& loop : loops)
+            for (int k : loop) known = known || k == i;
+        if (!known) loops.push_back(walk_from(he, i));
+    }
+    return loops;
+}

@@ -1,0 +1,22 @@
+// Stops after the first loop.
+#include "exercises/02_border/boundary_loops.h"
+
+namespace {
+
+std::vector<int> walk_from(const HalfEdgeTable& he, int start) {
+    std::vector<int> loop;
+    int i = start;
+    do {
+        loop.push_back(i);
+        i = he[i].next;
+    } while (i != start);
+    return loop;
+}
+
+}  // namespace
+
+std::vector<std::vector<int>> boundary_loops(const HalfEdgeTable& he) {
+    for (int i = 0; i < he.size(); ++i)
+        if (he[i].fi == -1) return {walk_from(he, i)};
+    return {};
+}

@@ -1,0 +1,13 @@
+// Never crosses over: nothing to walk when i has a face.
+#include "exercises/02_border/boundary_walk.h"
+
+std::vector<int> boundary_walk(const HalfEdgeTable& he, int i) {
+    std::vector<int> walk;
+    if (he[i].fi != -1) return walk;
+    int start = i;
+    do {
+        walk.push_back(i);
+        i = he[i].next;
+    } while (i != start);
+    return walk;
+}

@@ -1,0 +1,14 @@
+// The mistake is still there: the loop has a variable i of its own.
+#include "exercises/02_border/boundary_walk_bug.h"
+
+std::vector<int> boundary_walk_bug(const HalfEdgeTable& he, int i) {
+    std::vector<int> walk;
+    if (he[i].fi != -1) i = he[i].opp;
+    if (he[i].fi != -1) return walk;
+    int start = i;
+    do {
+        int i = he[i].next;
+        walk.push_back(i);
+    } while (i != start);
+    return walk;
+}

@@ -1,0 +1,8 @@
+// Looks at the other side first and forgets the given one.
+#include "exercises/02_border/edge_kind.h"
+
+EdgeKind edge_kind(const HalfEdgeTable& he, int i) {
+    int j = he[i].opp;
+    if (he[j].fi == -1) return EdgeKind::border;
+    return EdgeKind::interior;
+}

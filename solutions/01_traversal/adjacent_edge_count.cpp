@@ -1,0 +1,13 @@
+#include "exercises/01_traversal/adjacent_edge_count.h"
+
+int adjacent_edge_count(const HalfEdgeTable& he, int i) {
+    if (he[i].fi == -1) return 0;
+    int start = i;
+    int count = 0;
+    do {
+        int j = he[i].opp;
+        if (he[j].fi != -1) ++count;
+        i = he[i].next;
+    } while (i != start);
+    return count;
+}

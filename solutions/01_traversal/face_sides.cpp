@@ -1,0 +1,12 @@
+#include "exercises/01_traversal/face_sides.h"
+
+int face_sides(const HalfEdgeTable& he, int i) {
+    if (he[i].fi == -1) return 0;
+    int start = i;
+    int sides = 0;
+    do {
+        ++sides;
+        i = he[i].next;
+    } while (i != start);
+    return sides;
+}

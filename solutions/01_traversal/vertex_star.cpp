@@ -1,0 +1,12 @@
+#include "exercises/01_traversal/vertex_star.h"
+
+std::vector<int> vertex_star(const HalfEdgeTable& he, int i) {
+    int start = i;
+    std::vector<int> star;
+    do {
+        i = he[i].opp;
+        star.push_back(he[i].vi);
+        i = he[i].next;
+    } while (i != start);
+    return star;
+}

@@ -1,0 +1,13 @@
+#include "exercises/02_border/boundary_walk.h"
+
+std::vector<int> boundary_walk(const HalfEdgeTable& he, int i) {
+    if (he[i].fi != -1) i = he[i].opp;
+    if (he[i].fi != -1) return {};
+    std::vector<int> walk;
+    int start = i;
+    do {
+        walk.push_back(i);
+        i = he[i].next;
+    } while (i != start);
+    return walk;
+}

@@ -1,0 +1,13 @@
+#include "exercises/02_border/boundary_walk_bug.h"
+
+std::vector<int> boundary_walk_bug(const HalfEdgeTable& he, int i) {
+    if (he[i].fi != -1) i = he[i].opp;  // cross to the other side
+    if (he[i].fi != -1) return {};      // a face there, too: no border
+    std::vector<int> walk;
+    int start = i;
+    do {
+        i = he[i].next;
+        walk.push_back(i);
+    } while (i != start);
+    return walk;
+}

@@ -1,0 +1,8 @@
+#include "exercises/02_border/edge_kind.h"
+
+EdgeKind edge_kind(const HalfEdgeTable& he, int i) {
+    int j = he[i].opp;
+    if (he[i].fi != -1 && he[j].fi != -1) return EdgeKind::interior;
+    if (he[i].fi != -1 || he[j].fi != -1) return EdgeKind::border;
+    return EdgeKind::dangling;
+}

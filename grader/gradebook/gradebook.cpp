@@ -1,0 +1,470 @@
+#include "grader/gradebook/gradebook.h"
+
+#include <SQLiteCpp/SQLiteCpp.h>
+#include <fmt/format.h>
+#include <sqlite3.h>
+
+#include <charconv>
+#include <utility>
+
+#include "course/runner/codec.h"
+#include "grader/gradebook/schema.h"
+
+namespace grader {
+
+namespace {
+
+using course::CaseResult;
+using course::ExerciseResult;
+using course::Failure;
+
+constexpr int wait_for_lock_ms = 3000;
+
+[[noreturn]] void translate(const std::string& file,
+                            const SQLite::Exception& error) {
+    const std::string why = error.what();
+    switch (error.getErrorCode()) {
+        case SQLITE_BUSY:
+        case SQLITE_LOCKED:
+            throw GradebookLocked(fmt::format(
+                "{}: another process has held it for {} s; expected it to be "
+                "free: is another run, or a database browser, using it?",
+                file, wait_for_lock_ms / 1000));
+        case SQLITE_READONLY:
+        case SQLITE_PERM:
+            throw GradebookReadOnly(fmt::format(
+                "{}: cannot be written ({}); expected a file and a folder "
+                "that may be written",
+                file, why));
+        case SQLITE_NOTADB:
+            throw GradebookForeign(fmt::format(
+                "{}: is not a SQLite file; expected a gradebook", file));
+        case SQLITE_CANTOPEN:
+            throw GradebookMissing(fmt::format(
+                "{}: cannot be opened or created ({}); expected a file in a "
+                "folder that exists",
+                file, why));
+        case SQLITE_FULL:
+            throw GradebookFull(
+                fmt::format("{}: the disk is full; nothing was half written, "
+                            "expected room for the result",
+                            file));
+        case SQLITE_CORRUPT:
+            throw GradebookDamaged(fmt::format(
+                "{}: is damaged ({}); expected a whole gradebook", file, why));
+        default:
+            throw GradebookError(fmt::format("{}: {}", file, why));
+    }
+}
+
+/// Runs `work`, and turns what SQLite and the codec throw into our own types.
+template <class Work>
+auto guarded(const std::string& file, Work work) {
+    try {
+        return work();
+    } catch (const SQLite::Exception& error) {
+        translate(file, error);
+    } catch (const course::CodecError& error) {
+        throw GradebookDamaged(fmt::format(
+            "{}: a stored failure cannot be read: {}", file, error.what()));
+    }
+}
+
+template <class... Values>
+SQLite::Statement prepared(SQLite::Database& sql, const char* text,
+                           const Values&... values) {
+    SQLite::Statement statement(sql, text);
+    int position = 0;
+    (statement.bind(++position, values), ...);
+    return statement;
+}
+
+template <class... Values>
+void execute(SQLite::Database& sql, const char* text, const Values&... values) {
+    prepared(sql, text, values...).exec();
+}
+
+// ---- opening
+
+int number(SQLite::Database& sql, const char* text) {
+    return sql.execAndGet(text).getInt();
+}
+
+bool is_fresh(SQLite::Database& sql) {
+    return number(sql, "PRAGMA application_id") == 0 &&
+           number(sql, "PRAGMA user_version") == 0 &&
+           number(sql, "SELECT count(*) FROM sqlite_master") == 0;
+}
+
+void check_kind(const std::string& file, SQLite::Database& sql) {
+    const int id = number(sql, "PRAGMA application_id");
+    if (id != application_id)
+        throw GradebookForeign(fmt::format(
+            "{}: its application id is {}; expected {}, that of a gradebook",
+            file, id, application_id));
+    const int version = number(sql, "PRAGMA user_version");
+    if (version > schema_version)
+        throw GradebookNewer(fmt::format(
+            "{}: has schema {}; expected at most {}: a newer grader wrote it",
+            file, version, schema_version));
+    if (version < 1)
+        throw GradebookDamaged(
+            fmt::format("{}: has schema {}; expected 1 to {}", file, version,
+                        schema_version));
+}
+
+void create_tables(SQLite::Database& sql) {
+    sql.exec(schema);
+    sql.exec(fmt::format("PRAGMA application_id = {}", application_id));
+}
+
+/// Two processes may come here at the same moment: the look and the creation
+/// are one transaction. It always writes, so that a folder in which nothing
+/// can be written shows now, and not after the first submission.
+void prepare_for_writing(const std::string& file, SQLite::Database& sql) {
+    if (sqlite3_db_readonly(sql.getHandle(), "main") == 1)
+        throw GradebookReadOnly(fmt::format(
+            "{}: may only be read; expected a file that may be written", file));
+    {
+        SQLite::Transaction all(sql, SQLite::TransactionBehavior::IMMEDIATE);
+        const bool fresh = is_fresh(sql);
+        if (fresh) create_tables(sql);
+        if (!fresh) check_kind(file, sql);
+        sql.exec(fmt::format("PRAGMA user_version = {}", schema_version));
+        all.commit();
+    }
+    // May fail while another process uses the file: then that one has set it.
+    sql.tryExec("PRAGMA journal_mode = WAL");
+    sql.exec("PRAGMA synchronous = NORMAL");
+    sql.exec("PRAGMA foreign_keys = ON");
+}
+
+int flags(Gradebook::Access access) {
+    // Reading, too, may have to roll back what a killed run left.
+    return access == Gradebook::Access::read
+               ? SQLite::OPEN_READWRITE
+               : SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE;
+}
+
+// ---- runs
+
+void insert_run(SQLite::Database& sql, const Run& run) {
+    execute(sql,
+            "INSERT INTO runs (started_at, version, sandbox, seed, jobs) "
+            "VALUES (?, ?, ?, ?, ?)",
+            run.started_at, run.version, run.sandbox, std::to_string(run.seed),
+            run.jobs);
+}
+
+void insert_note(SQLite::Database& sql, int run, const std::string& note) {
+    execute(sql, "INSERT INTO run_notes (run, note) VALUES (?, ?)", run, note);
+}
+
+void insert_student(SQLite::Database& sql, int run, const Student& student) {
+    execute(sql, "INSERT INTO run_students VALUES (?, ?, ?)", run, student.id,
+            student.name);
+    for (const std::string& note : student.notes)
+        execute(sql, "INSERT INTO run_notes VALUES (?, ?, ?)", run, student.id,
+                note);
+}
+
+std::uint64_t seed_of(const std::string& file, const std::string& text) {
+    std::uint64_t seed = 0;
+    const char* end = text.data() + text.size();
+    const auto [stop, error] = std::from_chars(text.data(), end, seed);
+    if (error != std::errc() || stop != end)
+        throw GradebookDamaged(fmt::format(
+            "{}: a run has the seed '{}'; expected a number", file, text));
+    return seed;
+}
+
+std::vector<std::string> notes_of(SQLite::Database& sql, int run) {
+    auto rows = prepared(sql,
+                         "SELECT note FROM run_notes WHERE run = ? AND "
+                         "student IS NULL ORDER BY rowid",
+                         run);
+    std::vector<std::string> notes;
+    while (rows.executeStep()) notes.push_back(rows.getColumn(0).getString());
+    return notes;
+}
+
+std::vector<std::string> notes_of(SQLite::Database& sql, int run,
+                                  const std::string& student) {
+    auto rows = prepared(sql,
+                         "SELECT note FROM run_notes WHERE run = ? AND "
+                         "student = ? ORDER BY rowid",
+                         run, student);
+    std::vector<std::string> notes;
+    while (rows.executeStep()) notes.push_back(rows.getColumn(0).getString());
+    return notes;
+}
+
+std::vector<Suite> suites_of(SQLite::Database& sql, int run) {
+    auto rows = prepared(sql,
+                         "SELECT exercise, file, version, max FROM run_suites "
+                         "WHERE run = ? ORDER BY rowid",
+                         run);
+    std::vector<Suite> suites;
+    while (rows.executeStep())
+        suites.push_back(
+            {rows.getColumn(0).getString(), rows.getColumn(1).getString(),
+             rows.getColumn(2).getString(), rows.getColumn(3).getDouble()});
+    return suites;
+}
+
+std::vector<Student> students_of(SQLite::Database& sql, int run) {
+    auto rows = prepared(sql,
+                         "SELECT student, name FROM run_students "
+                         "WHERE run = ? ORDER BY rowid",
+                         run);
+    std::vector<Student> students;
+    while (rows.executeStep()) {
+        Student student{
+            rows.getColumn(0).getString(), rows.getColumn(1).getString(), {}};
+        student.notes = notes_of(sql, run, student.id);
+        students.push_back(std::move(student));
+    }
+    return students;
+}
+
+// ---- attempts
+
+double earned(const CaseResult& result) {
+    return result.verdict == course::Verdict::accepted ? result.info.points
+                                                       : 0.0;
+}
+
+void insert_case(SQLite::Database& sql, std::int64_t attempt, int position,
+                 const CaseResult& result) {
+    const bool shown = result.info.visibility == course::Visibility::shown;
+    auto row = prepared(
+        sql, "INSERT INTO cases VALUES (?,?,?,?,?,?,?,?,?,?)", attempt,
+        position, result.info.name, std::string(course::name(result.verdict)),
+        earned(result), result.info.points,
+        std::string(shown ? "shown" : "hidden"), result.hint, result.printed);
+    const std::string blob = course::encode(result.failures);
+    row.bind(10, blob.data(), static_cast<int>(blob.size()));
+    row.exec();
+}
+
+std::int64_t insert_attempt(SQLite::Database& sql, int run,
+                            const Attempt& attempt) {
+    const ExerciseResult& result = attempt.result;
+    execute(sql,
+            "INSERT INTO attempts (run, student, exercise, key, verdict, "
+            "points, max, message, finished_at) VALUES (?,?,?,?,?,?,?,?,?)",
+            run, attempt.student, attempt.exercise, attempt.key,
+            std::string(course::name(result.verdict)), result.points(),
+            result.max(), result.message, attempt.finished_at);
+    const std::int64_t row = sql.getLastInsertRowid();
+    int position = 0;
+    for (const CaseResult& one : result.cases)
+        insert_case(sql, row, position++, one);
+    return row;
+}
+
+/// The newest row of `counted`, as an attempt; 0 when there is none.
+std::int64_t counted_attempt(SQLite::Database& sql, const std::string& student,
+                             const std::string& exercise) {
+    auto row = prepared(sql,
+                        "SELECT attempt FROM counted WHERE student = ? AND "
+                        "exercise = ? ORDER BY counted DESC LIMIT 1",
+                        student, exercise);
+    return row.executeStep() ? row.getColumn(0).getInt64() : 0;
+}
+
+void count(SQLite::Database& sql, int run, const std::string& student,
+           const std::string& exercise, std::int64_t attempt) {
+    execute(sql,
+            "INSERT INTO counted (run, student, exercise, attempt) "
+            "VALUES (?, ?, ?, ?)",
+            run, student, exercise, attempt);
+}
+
+std::int64_t attempt_with_key(SQLite::Database& sql, std::string_view student,
+                              std::string_view exercise, std::string_view key) {
+    auto row =
+        prepared(sql,
+                 "SELECT attempt FROM attempts WHERE student = ? AND "
+                 "exercise = ? AND key = ? AND "
+                 "verdict <> 'grader_fault' "
+                 "ORDER BY attempt DESC LIMIT 1",
+                 std::string(student), std::string(exercise), std::string(key));
+    return row.executeStep() ? row.getColumn(0).getInt64() : 0;
+}
+
+course::Verdict verdict_of(const std::string& file, const std::string& name) {
+    if (const auto verdict = course::verdict_named(name)) return *verdict;
+    throw GradebookDamaged(
+        fmt::format("{}: a stored verdict is '{}'; expected one such as "
+                    "'accepted'",
+                    file, name));
+}
+
+CaseResult read_case(const std::string& file, SQLite::Statement& row) {
+    CaseResult result;
+    result.info.name = row.getColumn(0).getString();
+    result.verdict = verdict_of(file, row.getColumn(1).getString());
+    result.info.points = row.getColumn(2).getDouble();
+    result.info.visibility = row.getColumn(3).getString() == "shown"
+                                 ? course::Visibility::shown
+                                 : course::Visibility::hidden;
+    result.hint = row.getColumn(4).getString();
+    result.printed = row.getColumn(5).getString();
+    result.failures =
+        course::decode<std::vector<Failure>>(row.getColumn(6).getString());
+    return result;
+}
+
+std::vector<CaseResult> read_cases(const std::string& file,
+                                   SQLite::Database& sql,
+                                   std::int64_t attempt) {
+    auto rows = prepared(sql,
+                         "SELECT name, verdict, max, visibility, hint, "
+                         "printed, failures FROM cases WHERE attempt = ? "
+                         "ORDER BY position",
+                         attempt);
+    std::vector<CaseResult> cases;
+    while (rows.executeStep()) cases.push_back(read_case(file, rows));
+    return cases;
+}
+
+Attempt read_attempt(const std::string& file, SQLite::Database& sql,
+                     std::int64_t attempt) {
+    auto row = prepared(sql,
+                        "SELECT student, exercise, key, verdict, message, "
+                        "finished_at FROM attempts WHERE attempt = ?",
+                        attempt);
+    if (!row.executeStep())
+        throw GradebookDamaged(fmt::format(
+            "{}: attempt {} counts, but is not there", file, attempt));
+    Attempt read;
+    read.student = row.getColumn(0).getString();
+    read.exercise = row.getColumn(1).getString();
+    read.key = row.getColumn(2).getString();
+    read.result.verdict = verdict_of(file, row.getColumn(3).getString());
+    read.result.message = row.getColumn(4).getString();
+    read.finished_at = row.getColumn(5).getString();
+    read.result.cases = read_cases(file, sql, attempt);
+    return read;
+}
+
+}  // namespace
+
+struct Gradebook::Database {
+    std::string file;
+    Access access;
+    SQLite::Database sql;
+
+    ~Database() {
+        if (access == Access::read) return;
+        // Fails while another process uses the file: the last one does it.
+        sqlite3_busy_timeout(sql.getHandle(), 0);
+        sql.tryExec("PRAGMA journal_mode = DELETE");
+    }
+};
+
+Gradebook::Gradebook(const std::filesystem::path& file, Access access) {
+    guarded(file.string(), [&] {
+        SQLite::Database sql(file, flags(access), wait_for_lock_ms);
+        if (access == Access::write)
+            prepare_for_writing(file.string(), sql);
+        else
+            check_kind(file.string(), sql);
+        database_.reset(new Database{file.string(), access, std::move(sql)});
+    });
+}
+
+Gradebook::~Gradebook() = default;
+Gradebook::Gradebook(Gradebook&&) noexcept = default;
+Gradebook& Gradebook::operator=(Gradebook&&) noexcept = default;
+
+int Gradebook::begin_run(const Run& run) {
+    return guarded(database_->file, [&] {
+        SQLite::Database& sql = database_->sql;
+        SQLite::Transaction all(sql, SQLite::TransactionBehavior::IMMEDIATE);
+        insert_run(sql, run);
+        const int row = static_cast<int>(sql.getLastInsertRowid());
+        for (const Suite& suite : run.suites)
+            execute(sql, "INSERT INTO run_suites VALUES (?, ?, ?, ?, ?)", row,
+                    suite.exercise, suite.file, suite.version, suite.max);
+        for (const Student& student : run.students)
+            insert_student(sql, row, student);
+        for (const std::string& note : run.notes) insert_note(sql, row, note);
+        all.commit();
+        return row;
+    });
+}
+
+std::optional<Run> Gradebook::last_run() const {
+    return guarded(database_->file, [&]() -> std::optional<Run> {
+        SQLite::Database& sql = database_->sql;
+        auto row = prepared(sql,
+                            "SELECT run, started_at, version, sandbox, seed, "
+                            "jobs FROM runs ORDER BY run DESC LIMIT 1");
+        if (!row.executeStep()) return std::nullopt;
+        const int id = row.getColumn(0).getInt();
+        Run run;
+        run.started_at = row.getColumn(1).getString();
+        run.version = row.getColumn(2).getString();
+        run.sandbox = row.getColumn(3).getString();
+        run.seed = seed_of(database_->file, row.getColumn(4).getString());
+        run.jobs = row.getColumn(5).getInt();
+        run.suites = suites_of(sql, id);
+        run.students = students_of(sql, id);
+        run.notes = notes_of(sql, id);
+        return run;
+    });
+}
+
+void Gradebook::record(int run, const Attempt& attempt) {
+    guarded(database_->file, [&] {
+        SQLite::Database& sql = database_->sql;
+        SQLite::Transaction all(sql, SQLite::TransactionBehavior::IMMEDIATE);
+        const std::int64_t row = insert_attempt(sql, run, attempt);
+        count(sql, run, attempt.student, attempt.exercise, row);
+        all.commit();
+    });
+}
+
+std::optional<ExerciseResult> Gradebook::find(std::string_view student,
+                                              std::string_view exercise,
+                                              std::string_view key) const {
+    return guarded(database_->file, [&]() -> std::optional<ExerciseResult> {
+        SQLite::Database& sql = database_->sql;
+        const std::int64_t row = attempt_with_key(sql, student, exercise, key);
+        if (row == 0) return std::nullopt;
+        return read_attempt(database_->file, sql, row).result;
+    });
+}
+
+std::optional<ExerciseResult> Gradebook::reuse(int run,
+                                               std::string_view student,
+                                               std::string_view exercise,
+                                               std::string_view key) {
+    auto result = find(student, exercise, key);
+    if (!result) return result;
+    guarded(database_->file, [&] {
+        SQLite::Database& sql = database_->sql;
+        const std::string s(student), e(exercise);
+        const std::int64_t row = attempt_with_key(sql, s, e, key);
+        if (counted_attempt(sql, s, e) == row) return;  // as it already is
+        SQLite::Transaction all(sql, SQLite::TransactionBehavior::IMMEDIATE);
+        count(sql, run, s, e, row);
+        all.commit();
+    });
+    return result;
+}
+
+std::optional<Attempt> Gradebook::latest(std::string_view student,
+                                         std::string_view exercise) const {
+    return guarded(database_->file, [&]() -> std::optional<Attempt> {
+        SQLite::Database& sql = database_->sql;
+        const std::int64_t row =
+            counted_attempt(sql, std::string(student), std::string(exercise));
+        if (row == 0) return std::nullopt;
+        return read_attempt(database_->file, sql, row);
+    });
+}
+
+}  // namespace grader

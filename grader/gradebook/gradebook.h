@@ -1,0 +1,157 @@
+// The gradebook: every run and every result that was ever reached, in one
+// SQLite file that an instructor may also ask in plain SQL.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "course/runner/results.h"
+
+namespace SQLite {
+class Exception;
+}
+
+namespace grader {
+
+/// A gradebook that cannot be used. Each cause has a type of its own; the
+/// message names the file, what was found and what was expected.
+struct GradebookError : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+/// There is no such file, or no place for one.
+struct GradebookMissing : GradebookError {
+    using GradebookError::GradebookError;
+};
+/// Another process has held it for longer than we wait.
+struct GradebookLocked : GradebookError {
+    using GradebookError::GradebookError;
+};
+struct GradebookReadOnly : GradebookError {
+    using GradebookError::GradebookError;
+};
+/// The disk has no room for it.
+struct GradebookFull : GradebookError {
+    using GradebookError::GradebookError;
+};
+/// Not a SQLite file, or one of another program.
+struct GradebookForeign : GradebookError {
+    using GradebookError::GradebookError;
+};
+/// Written by a newer version of this program.
+struct GradebookNewer : GradebookError {
+    using GradebookError::GradebookError;
+};
+struct GradebookDamaged : GradebookError {
+    using GradebookError::GradebookError;
+};
+
+/// A student as the run found them.
+struct Student {
+    std::string id;    ///< safe in file names; the key of every table
+    std::string name;  ///< the folder's name: any bytes, data only
+    std::vector<std::string> notes;  ///< files ignored or refused, and why
+
+    friend bool operator==(const Student&, const Student&) = default;
+};
+
+/// The suite of one exercise, as the run used it.
+struct Suite {
+    std::string exercise;  ///< "01_traversal/face_sides"
+    std::string file;      ///< what a student hands in: "face_sides.cpp"
+    std::string version;   ///< changes when the suite changes
+    double max = 0;        ///< points of all its cases
+
+    friend bool operator==(const Suite&, const Suite&) = default;
+};
+
+/// The facts of one run of the grader.
+struct Run {
+    std::string started_at;  ///< ISO 8601, UTC
+    std::string version;     ///< of the grader
+    std::string sandbox;     ///< how submissions were isolated
+    std::uint64_t seed = 0;
+    int jobs = 1;
+    std::vector<Suite> suites;
+    std::vector<Student> students;   ///< every one found, in report order
+    std::vector<std::string> notes;  ///< about the folder as a whole
+
+    friend bool operator==(const Run&, const Run&) = default;
+};
+
+/// One exercise of one student, judged. An exercise that was not handed in is
+/// recorded too, with verdict not_submitted and a key of its own.
+struct Attempt {
+    std::string student;   ///< Student::id
+    std::string exercise;  ///< Suite::exercise
+    std::string key;       ///< hash of all that the result depends on
+    course::ExerciseResult result;
+    std::string finished_at;  ///< ISO 8601, UTC
+};
+
+/// One open gradebook. Every change is one transaction, and rows are only ever
+/// added. For one thread at a time; several processes may use one file.
+///
+/// While it is written, the file is in SQLite's WAL mode, synchronous NORMAL.
+/// A process that is killed at any moment leaves each change whole or not at
+/// all, and all that were reported done: they are in the system's hands. A
+/// power failure may take the last few results, which are then graded again,
+/// but never damages the file. The rollback journal is no safer against a kill
+/// and costs 20 ms of waiting for the disk per result instead of 0.2.
+/// Closing goes back to the rollback journal, so that a gradebook at rest is
+/// one file, which can be copied and be read where nothing may be written; only
+/// after a kill a second file, `-wal`, belongs to it until it is next opened.
+class Gradebook {
+public:
+    enum class Access {
+        write,  ///< creates the file when there is none
+        read,   ///< the file must exist; it may be read-only
+    };
+
+    /// Opens, and checks that it is a gradebook of a known version.
+    /// Throws a GradebookError, as every member function does.
+    explicit Gradebook(const std::filesystem::path& file,
+                       Access access = Access::write);
+    ~Gradebook();
+    Gradebook(Gradebook&&) noexcept;
+    Gradebook& operator=(Gradebook&&) noexcept;
+
+    /// Writes down a run with its students and suites; returns its number.
+    /// Precondition: ids of students and names of suites are unique.
+    int begin_run(const Run& run);
+
+    /// The newest run, if there is one.
+    std::optional<Run> last_run() const;
+
+    /// Adds an attempt; from now on it is the one that counts for its student
+    /// and exercise. `run` is what begin_run returned.
+    void record(int run, const Attempt& attempt);
+
+    /// The newest result of this student, exercise and key that is not a
+    /// grader fault: faults are retried.
+    std::optional<course::ExerciseResult> find(std::string_view student,
+                                               std::string_view exercise,
+                                               std::string_view key) const;
+
+    /// As find, and the result counts again: a student who goes back to an
+    /// earlier version gets the points of that version.
+    std::optional<course::ExerciseResult> reuse(int run,
+                                                std::string_view student,
+                                                std::string_view exercise,
+                                                std::string_view key);
+
+    /// The attempt that counts for this student and exercise, if any.
+    std::optional<Attempt> latest(std::string_view student,
+                                  std::string_view exercise) const;
+
+private:
+    struct Database;
+    std::unique_ptr<Database> database_;
+};
+
+}  // namespace grader

@@ -1,0 +1,86 @@
+// The tables of a gradebook. A change here, or to what a blob holds, needs a
+// new schema_version.
+#pragma once
+
+namespace grader {
+
+/// In the file's header: how `file` and we tell a gradebook from any other.
+inline constexpr int application_id = 0x48454762;  // "HEGb"
+inline constexpr int schema_version = 1;
+
+/// Columns named `student` hold safe ids. Times are ISO 8601 in UTC. Blobs are
+/// in the encoding of course/runner/codec.h.
+inline constexpr const char* schema = R"sql(
+CREATE TABLE runs (
+    run INTEGER PRIMARY KEY,
+    started_at TEXT NOT NULL,
+    version TEXT NOT NULL,
+    sandbox TEXT NOT NULL,
+    seed TEXT NOT NULL,  -- text: it has 64 bits and no sign
+    jobs INTEGER NOT NULL
+);
+CREATE TABLE run_suites (
+    run INTEGER NOT NULL REFERENCES runs,
+    exercise TEXT NOT NULL,
+    file TEXT NOT NULL,
+    version TEXT NOT NULL,
+    max REAL NOT NULL,
+    UNIQUE (run, exercise)
+);
+CREATE TABLE run_students (
+    run INTEGER NOT NULL REFERENCES runs,
+    student TEXT NOT NULL,
+    name TEXT NOT NULL,  -- the folder's name, any bytes
+    UNIQUE (run, student)
+);
+CREATE TABLE run_notes (
+    run INTEGER NOT NULL REFERENCES runs,
+    student TEXT,  -- NULL: about the folder as a whole
+    note TEXT NOT NULL
+);
+CREATE INDEX run_notes_by_student ON run_notes (run, student);
+CREATE TABLE attempts (
+    attempt INTEGER PRIMARY KEY,
+    run INTEGER NOT NULL REFERENCES runs,
+    student TEXT NOT NULL,
+    exercise TEXT NOT NULL,
+    key TEXT NOT NULL,
+    verdict TEXT NOT NULL,
+    points REAL NOT NULL,
+    max REAL NOT NULL,
+    message TEXT NOT NULL,
+    finished_at TEXT NOT NULL
+);
+CREATE INDEX attempts_by_key ON attempts (student, exercise, key);
+CREATE TABLE cases (
+    attempt INTEGER NOT NULL REFERENCES attempts,
+    position INTEGER NOT NULL,
+    name TEXT NOT NULL,
+    verdict TEXT NOT NULL,
+    points REAL NOT NULL,      -- earned
+    max REAL NOT NULL,
+    visibility TEXT NOT NULL,  -- shown, hidden
+    hint TEXT NOT NULL,
+    printed TEXT NOT NULL,
+    failures BLOB,
+    PRIMARY KEY (attempt, position)
+);
+-- Which attempt counts, and since which run; the newest row holds.
+CREATE TABLE counted (
+    counted INTEGER PRIMARY KEY,
+    run INTEGER NOT NULL REFERENCES runs,
+    student TEXT NOT NULL,
+    exercise TEXT NOT NULL,
+    attempt INTEGER NOT NULL REFERENCES attempts
+);
+CREATE INDEX counted_by_student ON counted (student, exercise);
+CREATE VIEW standing AS  -- for instructors: one row per student and exercise
+    SELECT a.student, a.exercise, a.verdict, a.points, a.max, a.finished_at,
+           a.attempt
+    FROM attempts a JOIN counted c ON c.attempt = a.attempt
+    WHERE c.counted = (SELECT max(d.counted) FROM counted d
+                       WHERE d.student = a.student
+                       AND d.exercise = a.exercise);
+)sql";
+
+}  // namespace grader

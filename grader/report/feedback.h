@@ -1,0 +1,18 @@
+// What a student may read of a result. Every file that students get is made
+// from what this returns and from nothing else.
+#pragma once
+
+#include "course/runner/results.h"
+#include "grader/pipeline/assignment.h"
+
+namespace grader {
+
+/// `result` without what the level hides: of hidden cases the failures with
+/// their meshes, values and walks, what was printed, and below names_and_hints
+/// the hints. The text of a grader fault, which may name anything, is taken
+/// away at every level; compiler messages are about the student's own file and
+/// stay.
+course::ExerciseResult for_student(const course::ExerciseResult& result,
+                                   FeedbackLevel level);
+
+}  // namespace grader

@@ -1,0 +1,234 @@
+#include "grader/report/page.h"
+
+#include <algorithm>
+
+#include "grader/report/class_results.h"
+
+namespace grader {
+
+namespace {
+
+using course::Verdict;
+
+// Greys and one blue; amber for what needs a look. Every state is also told
+// by its letters, so that the page can be read in black and white.
+constexpr std::string_view style = R"css(
+:root {
+  --ink: #1a2330; --soft: #586475; --line: #d4dae2; --tint: #f4f6f9;
+  --blue: #1d5b96; --blue-tint: #e6eef7; --amber: #9a4300;
+  --amber-tint: #fcefe2;
+}
+* { box-sizing: border-box; }
+html { font-size: 15px; -webkit-print-color-adjust: exact; print-color-adjust: exact; }
+body {
+  margin: 0 auto; padding: 40px 32px 64px; max-width: 1060px;
+  color: var(--ink); background: #fff;
+  font: 1rem/1.5 "Source Sans 3", -apple-system, "Segoe UI", "Helvetica Neue",
+        "Liberation Sans", Arial, system-ui, sans-serif;
+  font-variant-numeric: tabular-nums;
+}
+h1, h2, h3, h4 { line-height: 1.25; margin: 0; font-weight: 650; }
+h1 { font-size: 2rem; letter-spacing: -0.01em; }
+h2 { font-size: 1.33rem; margin: 44px 0 4px; }
+h3 { font-size: 1.2rem; }
+h4 { font-size: 1rem; }
+p { margin: 6px 0; }
+a { color: var(--blue); text-decoration-thickness: 1px;
+    text-underline-offset: 2px; }
+.over { color: var(--soft); font-size: 0.93rem; margin: 0 0 4px; }
+.soft { color: var(--soft); }
+.small { font-size: 0.87rem; }
+code, pre, .mono {
+  font-family: "Source Code Pro", "SF Mono", Menlo, Consolas,
+               "DejaVu Sans Mono", "Liberation Mono", monospace;
+  font-size: 0.88em;
+}
+pre {
+  margin: 8px 0; padding: 10px 12px; background: var(--tint);
+  border-left: 3px solid var(--line); white-space: pre-wrap;
+  overflow-wrap: anywhere; tab-size: 4; line-height: 1.45;
+}
+code, bdi { overflow-wrap: anywhere; }
+table { border-collapse: collapse; width: 100%; margin: 12px 0; }
+th, td { text-align: left; padding: 6px 10px 6px 0; vertical-align: baseline;
+         border-bottom: 1px solid var(--line); }
+thead th { font-size: 0.87rem; font-weight: 600; color: var(--soft);
+           border-bottom: 1.5px solid var(--ink); vertical-align: bottom; }
+.n { text-align: right; white-space: nowrap; }
+.numbers { display: flex; flex-wrap: wrap; margin: 24px 0 8px; padding: 0;
+           border-top: 1.5px solid var(--ink);
+           border-bottom: 1px solid var(--line); }
+.numbers div { padding: 12px 28px 12px 0; margin-right: 28px;
+               border-right: 1px solid var(--line); }
+.numbers div:last-child { border-right: 0; }
+.numbers dt { color: var(--soft); font-size: 0.87rem; }
+.numbers dd { margin: 0; font-size: 1.73rem; font-weight: 600;
+              letter-spacing: -0.01em; }
+.numbers dd.words { font-size: 1.33rem; line-height: 2.6rem; }
+.numbers dd small { font-size: 1rem; font-weight: 400; color: var(--soft); }
+.alert { margin: 24px 0 0; padding: 14px 18px; background: var(--amber-tint);
+         border-left: 5px solid var(--amber); }
+.alert ul { margin: 6px 0 0; padding-left: 20px; }
+.v { display: inline-block; min-width: 1.8rem; padding: 0 4px; border-radius: 3px;
+     text-align: center; font-size: 0.77rem; line-height: 1.13rem;
+     font-weight: 650; border: 1px solid var(--line); color: var(--soft);
+     background: #fff; }
+.v.ok { color: var(--blue); border-color: #a9c3de; background: var(--blue-tint); }
+.v.bad { color: var(--amber); border-color: #e2b78f;
+         background: var(--amber-tint); }
+.v.fault { color: #fff; background: var(--ink); border-color: var(--ink); }
+.legend { font-size: 0.87rem; color: var(--soft); }
+.legend > span { white-space: nowrap; margin-right: 14px; }
+.notes { font-size: 0.9rem; }
+.notes td { overflow-wrap: anywhere; }
+.notes td:first-child { width: 220px; }
+.bar { display: inline-block; width: 100%; min-width: 70px; height: 9px;
+       background: var(--tint); border: 1px solid var(--line);
+       border-radius: 2px; vertical-align: middle; }
+.bar i { display: block; height: 100%; background: var(--blue); }
+.class { width: auto; min-width: 55%; }
+.class td, .class th { padding: 5px 3px; }
+.class .score { text-align: center; width: 34px; line-height: 1.25; }
+.class .score small { display: block; font-size: 0.77rem; color: var(--soft); }
+.class th.up { height: 138px; padding: 0 0 6px; width: 34px;
+               text-align: center; }
+.class th.up span { writing-mode: vertical-rl; transform: rotate(180deg);
+                    font-weight: 600; white-space: nowrap; }
+.class th.group { text-align: left; font-size: 0.8rem; border-bottom: 0;
+                  padding-bottom: 0; }
+.class .first { border-left: 1px solid var(--line); }
+.class td.who { padding-right: 12px; min-width: 130px; }
+.class .n { padding-left: 8px; padding-right: 8px; }
+.class .mean td { border-bottom: 0; color: var(--soft); font-size: 0.87rem;
+                  border-top: 1.5px solid var(--ink); }
+.exercise { margin: 34px 0 0; padding-top: 14px;
+            border-top: 1.5px solid var(--ink); }
+.exercise > header { display: flex; align-items: baseline; gap: 12px; }
+.exercise > header .points { margin-left: auto; font-size: 1.13rem;
+                             font-weight: 600; white-space: nowrap; }
+.cases { list-style: none; margin: 10px 0 0; padding: 0; }
+.cases > li { padding: 7px 0; border-bottom: 1px solid var(--line);
+              display: grid; grid-template-columns: 44px 1fr auto;
+              column-gap: 4px; }
+.cases > li:last-child { border-bottom: 0; }
+.cases .v { justify-self: start; align-self: start; margin-top: 2px; }
+.cases .detail { grid-column: 2 / 4; min-width: 0; }
+.hint { margin: 6px 0 0; padding: 6px 12px;
+        border-left: 3px solid var(--blue); background: var(--blue-tint); }
+.failure { margin: 12px 0 4px; break-inside: avoid; display: flex;
+           flex-wrap: wrap; gap: 0 28px; }
+.failure + .failure { border-top: 1px dashed var(--line); padding-top: 12px; }
+.failure dl { display: grid; grid-template-columns: 86px 1fr; margin: 0;
+              row-gap: 3px; flex: 1 1 330px; align-content: start; }
+.failure dt { color: var(--soft); font-size: 0.87rem; }
+.failure dd { margin: 0; min-width: 0; white-space: pre-wrap;
+              overflow-wrap: anywhere; }
+.failure dd.got { font-weight: 650; color: var(--amber); }
+figure { margin: 4px 0 0; max-width: 500px; }
+figcaption { font-size: 0.83rem; color: var(--soft); }
+svg.mesh { max-width: 100%; height: auto; font-family: inherit; }
+svg text { text-anchor: middle; }
+.mesh .face { fill: #eef2f6; }
+.mesh .face-label { font-size: 12px; fill: #7a8594; font-weight: 600; }
+.mesh .behind { fill: #b3bcc7; }
+.mesh .edge { stroke: #c3cad3; stroke-width: 2; }
+.mesh .he { stroke: #566273; stroke-width: 1.5; }
+.mesh .head { fill: #566273; stroke: none; }
+.mesh line.border { stroke-dasharray: 5 3; }
+.mesh .walked { stroke: var(--amber); stroke-width: 3.5; }
+.mesh .head.walked { fill: var(--amber); stroke: none; }
+.mesh .number { fill: #fff; stroke: #a8b1bd; stroke-width: 1; }
+.mesh .number.walked { fill: var(--amber); stroke: var(--amber);
+                       stroke-width: 1; }
+.mesh .number-text { font-size: 11px; fill: var(--ink); font-weight: 600; }
+.mesh .number-text.walked { fill: #fff; stroke: none; }
+.mesh .step { fill: var(--ink); }
+.mesh .step-text { font-size: 9.5px; fill: #fff; font-weight: 600; }
+.mesh .vertex { fill: #fff; stroke: var(--ink); stroke-width: 1.5; }
+.mesh .vertex-text { font-size: 10px; font-weight: 650; fill: var(--ink); }
+.chart text { font-size: 13px; fill: var(--ink); text-anchor: start; }
+.chart .value { fill: var(--soft); }
+.chart .track { fill: var(--tint); stroke: var(--line); }
+.chart .fill { fill: var(--blue); }
+.chart .tick { stroke: var(--line); }
+.chart .axis { font-size: 11.5px; fill: var(--soft); text-anchor: middle; }
+.chart .chapter { font-size: 12px; fill: var(--soft); font-weight: 600; }
+footer { margin-top: 48px; padding-top: 10px; color: var(--soft);
+         font-size: 0.87rem; border-top: 1px solid var(--line); }
+@media print {
+  @page { size: A4; margin: 14mm 13mm; }
+  html { font-size: 11.5px; }
+  body { padding: 0; max-width: none; }
+  h2 { margin-top: 26px; break-after: avoid; }
+  h2 + p, h3, .exercise > header, .cases .hint { break-after: avoid; }
+  tr, .chart, figure, .alert { break-inside: avoid; }
+  thead { display: table-header-group; }
+  a { color: inherit; text-decoration: none; }
+  .numbers div { padding-right: 18px; margin-right: 18px; }
+  .failure { flex-wrap: nowrap; gap: 0 16px; }
+  .failure dl { flex-basis: 200px; grid-template-columns: 60px 1fr; }
+  figure { flex: 0 0 auto; max-width: 370px; }
+  svg.mesh { max-height: 300px; width: auto; }
+  .class th.up, .class .score { width: 26px; }
+  .class td.who { min-width: 92px; }
+}
+)css";
+
+Html badge_of(std::string_view kind, std::string_view title,
+              std::string_view letters) {
+    return markup(R"(<span class="v {}" title="{}">{}</span>)", kind, title,
+                  letters);
+}
+
+std::string_view kind(Verdict verdict) {
+    if (verdict == Verdict::accepted) return "ok";
+    if (verdict == Verdict::not_submitted) return "none";
+    return verdict == Verdict::grader_fault ? "fault" : "bad";
+}
+
+}  // namespace
+
+Html page(std::string_view title, const Html& body) {
+    return markup(
+        R"(<!DOCTYPE html>
+<html lang="en">
+<head>
+<meta charset="utf-8">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<meta http-equiv="Content-Security-Policy" content="default-src 'none'; )"
+        R"(style-src 'unsafe-inline'">
+<title>{}</title>
+<style>{}</style>
+</head>
+<body>
+{}</body>
+</html>
+)",
+        title, Html{std::string(style)}, body);
+}
+
+Html badge(Verdict verdict) {
+    return badge_of(kind(verdict), words(verdict), mark(verdict));
+}
+
+Html badge_not_judged() {
+    return badge_of("none", "not judged yet", "..");
+}
+
+Html legend() {
+    Html all;
+    for (int k = 0; k <= static_cast<int>(Verdict::grader_fault); ++k) {
+        const auto verdict = static_cast<Verdict>(k);
+        all += markup("<span>{} {}</span> ", badge(verdict), words(verdict));
+    }
+    return markup(R"(<p class="legend">{}</p>)"
+                  "\n",
+                  all);
+}
+
+Html bar(double share) {
+    return markup(R"(<span class="bar"><i style="width:{:.1f}%"></i></span>)",
+                  100 * std::clamp(share, 0.0, 1.0));
+}
+
+}  // namespace grader

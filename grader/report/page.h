@@ -1,0 +1,27 @@
+// The frame of every page that we write: one file, without scripts, that
+// fetches nothing and prints well.
+#pragma once
+
+#include <string_view>
+
+#include "course/runner/verdict.h"
+#include "grader/report/html.h"
+
+namespace grader {
+
+/// A whole page. `title` is for the browser's tab.
+Html page(std::string_view title, const Html& body);
+
+/// The mark of a verdict: two letters with a frame; colour only adds to them.
+Html badge(course::Verdict verdict);
+
+/// The mark of a result that is still to come.
+Html badge_not_judged();
+
+/// What each mark means, on one line.
+Html legend();
+
+/// A bar for `share` of 1 in a table cell.
+Html bar(double share);
+
+}  // namespace grader

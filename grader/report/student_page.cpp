@@ -1,0 +1,243 @@
+#include "grader/report/student_page.h"
+
+#include <algorithm>
+
+#include "grader/report/explain.h"
+#include "grader/report/feedback.h"
+#include "grader/report/mesh_drawing.h"
+#include "grader/report/page.h"
+#include "grader/report/text.h"
+
+namespace grader {
+
+namespace {
+
+using course::CaseResult;
+using course::ExerciseResult;
+using course::Failure;
+using course::Verdict;
+
+// ---- one failed check
+
+Html entry(std::string_view label, std::string_view style,
+           const std::string& value) {
+    if (value.empty()) return {};
+    return markup(R"(<dt>{}</dt><dd class="{}">{}</dd>)"
+                  "\n",
+                  label, style, shortened(value, 1200, 16));
+}
+
+std::string mesh_entry(const course::MeshPicture& mesh, const Html& drawing) {
+    if (mesh.name.empty() || !drawing.text.empty()) return mesh.name;
+    return mesh.name + " (not drawn: it has too many half-edges)";
+}
+
+std::string caption(const course::MeshPicture& mesh, const Walk& walk) {
+    std::string text;
+    if (!walk.steps.empty())
+        text =
+            "Thick arrows were read; the dark number is the step at which "
+            "the walk came to them. ";
+    if (std::any_of(mesh.rows.begin(), mesh.rows.end(),
+                    [](const HalfEdge& row) { return row.fi < 0; }))
+        text += "Dashed arrows run along the border.";
+    return text;
+}
+
+Html figure(const course::MeshPicture& mesh, const Html& drawing,
+            const Walk& walk) {
+    if (drawing.text.empty()) return {};
+    return markup("<figure>{}<figcaption>{}</figcaption></figure>\n", drawing,
+                  caption(mesh, walk));
+}
+
+Html failure_block(const Failure& failure) {
+    const Walk walk = walk_of(failure);
+    const Html drawing = mesh_drawing(failure.mesh, walk);
+    return markup(
+        R"(<div class="failure">
+<dl>
+{}{}{}{}{}{}{}</dl>
+{}</div>
+)",
+        entry("call", "mono", failure.call),
+        entry("expected", "mono", failure.expected),
+        entry("got", "mono got", failure.got),
+        entry("on mesh", "", mesh_entry(failure.mesh, drawing)),
+        entry("walk", "mono", walk_text(walk)),
+        entry("from lines", "mono", lines_of(failure)),
+        entry("note", "", failure.note), figure(failure.mesh, drawing, walk));
+}
+
+// ---- one case
+
+Html printed_block(const std::string& printed) {
+    if (printed.empty()) return {};
+    return markup(R"(<p class="soft small">It printed:</p><pre>{}</pre>)"
+                  "\n",
+                  shortened(printed, 2000, 30));
+}
+
+Html detail(const CaseResult& result) {
+    Html text;
+    if (!result.hint.empty())
+        text += markup(R"(<p class="hint"><b>Hint:</b> {}</p>)"
+                       "\n",
+                       shortened(result.hint, 1200, 16));
+    for (const Failure& failure : result.failures)
+        text += failure_block(failure);
+    text += printed_block(result.printed);
+    if (text.text.empty()) return {};
+    return markup(R"(<div class="detail">)"
+                  "\n{}</div>\n",
+                  text);
+}
+
+Html case_item(const CaseResult& result) {
+    const bool passed = result.verdict == Verdict::accepted;
+    const bool hidden = result.info.visibility == course::Visibility::hidden;
+    return markup(R"(<li>{}<div>{}{}{}</div><div class="n">{} of {}</div>)"
+                  "\n{}</li>\n",
+                  badge(result.verdict), result.info.name,
+                  passed ? Html()
+                         : markup(R"( <span class="soft">– {}</span>)",
+                                  words(result.verdict)),
+                  hidden
+                      ? markup(R"( <span class="soft small">(hidden)</span>)")
+                      : Html(),
+                  points_text(earned(result)), points_text(result.info.points),
+                  passed ? Html() : detail(result));
+}
+
+// ---- one exercise
+
+std::string missing_text(const GradedExercise& exercise) {
+    return fmt::format("No file named {} was found.", exercise.suite.file);
+}
+
+Html message_block(const GradedExercise& exercise,
+                   const ExerciseResult& result) {
+    if (result.verdict == Verdict::not_submitted)
+        return markup("<p>{}</p>\n", missing_text(exercise));
+    if (result.message.empty()) return {};
+    return markup("{}<pre>{}</pre>\n",
+                  result.verdict < Verdict::compile_error
+                      ? markup("<p>The compiler warns:</p>\n")
+                      : Html(),
+                  shortened(result.message, 8000, 100));
+}
+
+Html cases_list(const ExerciseResult& result) {
+    if (result.cases.empty() || !has_run(result)) return {};
+    Html items;
+    for (const CaseResult& one : result.cases) items += case_item(one);
+    return markup(R"(<ul class="cases">)"
+                  "\n{}</ul>\n",
+                  items);
+}
+
+Html points_of(const std::optional<ExerciseResult>& result, double max) {
+    const auto value = points(result);
+    return markup("{} of {}", value ? points_text(*value) : "–",
+                  points_text(max));
+}
+
+Html exercise_section(const ClassResults& results,
+                      const StudentResults& student, std::size_t k) {
+    const GradedExercise& exercise = results.exercises[k];
+    const auto& result = student.exercises[k];
+    const Html head = markup(
+        R"(<section class="exercise" id="{}">
+<header>{}<h3>{}</h3><span class="points">{}</span></header>
+)",
+        short_name(exercise.exercise),
+        result ? badge(result->verdict) : badge_not_judged(),
+        short_name(exercise.exercise),
+        points_of(result, max_points(results, k)));
+    if (!result) return markup("{}<p>Not judged yet.</p>\n</section>\n", head);
+    const ExerciseResult shown =
+        for_student(*result, results.assignment.hidden_feedback);
+    return markup("{}<p>{}</p>\n{}{}</section>\n", head,
+                  explanation(shown.verdict), message_block(exercise, shown),
+                  cases_list(shown));
+}
+
+// ---- the head of the page
+
+Html overview_row(const ClassResults& results, const StudentResults& student,
+                  std::size_t k) {
+    const GradedExercise& exercise = results.exercises[k];
+    const auto& result = student.exercises[k];
+    const double max = max_points(results, k);
+    return markup(
+        R"(<tr><td><a href="#{}">{}</a></td><td>{} {}</td>)"
+        R"(<td style="width:180px">{}</td><td class="n">{}{}</td></tr>)"
+        "\n",
+        short_name(exercise.exercise), short_name(exercise.exercise),
+        result ? badge(result->verdict) : badge_not_judged(),
+        result ? words(result->verdict) : "not judged yet",
+        bar(max > 0 ? points(result).value_or(0) / max : 0),
+        points_of(result, max),
+        is_weighted(results) ? markup(" × {}", points_text(exercise.weight))
+                             : Html());
+}
+
+Html overview(const ClassResults& results, const StudentResults& student) {
+    Html rows;
+    for (std::size_t k = 0; k < results.exercises.size(); ++k)
+        rows += overview_row(results, student, k);
+    return markup(R"(<table>
+<thead><tr><th>exercise</th><th>verdict</th><th></th>)"
+                  R"(<th class="n">points</th></tr></thead>
+<tbody>
+{}</tbody>
+</table>
+)",
+                  rows);
+}
+
+Html headline(const ClassResults& results, const StudentResults& student) {
+    const Total sum = total(results, student);
+    const Html grade =
+        sum.total ? markup("{} <small>of {} points, {} %</small>",
+                           points_text(*sum.total), points_text(sum.max),
+                           percent_text(*sum.total, sum.max))
+                  : markup("<small>no grade yet</small>");
+    return markup(
+        R"(<dl class="numbers">
+<div><dt>total{}</dt><dd>{}</dd></div>
+<div><dt>status</dt><dd class="words">{}</dd></div>
+</dl>
+)",
+        is_weighted(results) ? " (weighted)" : "", grade,
+        words(status(student)));
+}
+
+Html files_section(const StudentResults& student) {
+    if (student.student.notes.empty()) return {};
+    Html list;
+    for (const std::string& note : student.student.notes)
+        list += markup("<li>{}</li>\n", shortened(note, 2000, 10));
+    return markup(R"(<div class="alert"><b>Files that were not taken</b>)"
+                  "\n<ul>\n{}</ul></div>\n",
+                  list);
+}
+
+}  // namespace
+
+Html student_page(const ClassResults& results, const StudentResults& student) {
+    const std::string& assignment = results.assignment.name;
+    Html sections;
+    for (std::size_t k = 0; k < results.exercises.size(); ++k)
+        sections += exercise_section(results, student, k);
+    return page(
+        assignment + ": " + student.student.name,
+        markup(R"(<header><p class="over">{}, graded <time>{}</time></p>
+<h1><bdi>{}</bdi></h1></header>
+{}{}{}{})",
+               assignment, time_text(results.run.started_at),
+               student.student.name, headline(results, student),
+               files_section(student), overview(results, student), sections));
+}
+
+}  // namespace grader

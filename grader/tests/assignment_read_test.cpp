@@ -1,0 +1,180 @@
+// Assignment files: what they say, and every mistake in them.
+#include "course/runner/temporary_folder.h"
+#include "grader/pipeline/assignment.h"
+#include "grader/tests/golden.h"
+
+using namespace grader;
+using namespace grader::tests;
+
+namespace {
+
+const std::vector<std::string> known = {
+    "00_table/edge_vertices", "01_traversal/face_sides",
+    "01_traversal/vertex_star", "02_border/boundary_walk"};
+
+Assignment read(const std::string& text) {
+    const course::TemporaryFolder folder;
+    const auto file = folder / "week_1.toml";
+    std::ofstream(file, std::ios::binary) << text;
+    return read_assignment(file, known);
+}
+
+std::vector<AssignmentMistake> mistakes(const std::string& text) {
+    try {
+        read(text);
+    } catch (const AssignmentError& error) {
+        return error.mistakes;
+    }
+    return {};
+}
+
+std::string message(const std::string& text) {
+    try {
+        read(text);
+    } catch (const AssignmentError& error) {
+        return error.what();
+    }
+    return "no mistake";
+}
+
+}  // namespace
+
+TEST_CASE("exercises keep the order of the file, with their weights") {
+    const Assignment assignment = read(
+        "name = 'Week 1'\n"
+        "hidden_feedback = 'full'\n"
+        "[exercises]\n"
+        "vertex_star = 2.5\n"
+        "\"00_table/edge_vertices\" = 1\n"
+        "boundary_walk = 1_000 # the most\n");
+    const Assignment expected = {"Week 1",
+                                 {{"01_traversal/vertex_star", 2.5},
+                                  {"00_table/edge_vertices", 1},
+                                  {"02_border/boundary_walk", 1000}},
+                                 FeedbackLevel::full};
+    CHECK((assignment == expected));
+}
+
+TEST_CASE("what a file leaves out has a sensible value") {
+    const Assignment assignment = read("[exercises]\nface_sides = 1\n");
+    CHECK(assignment.name == "week_1");
+    CHECK((assignment.hidden_feedback == FeedbackLevel::names_and_hints));
+}
+
+TEST_CASE("without a file every exercise counts once") {
+    const Assignment assignment = default_assignment(known);
+    REQUIRE(assignment.exercises.size() == 4);
+    CHECK(assignment.exercises[1].exercise == "01_traversal/face_sides");
+    CHECK(assignment.exercises[1].weight == 1);
+}
+
+TEST_CASE("all mistakes are reported, in the order of the file") {
+    const std::string text =
+        "nmae = 'Week 1'\n"
+        "hidden_feedback = 'ful'\n"
+        "  [exercises]\n"
+        "face_side = 1\n"
+        "vertex_star = 'two'\n"
+        "boundary_walk = 0\n"
+        "face_sides = 1\n"
+        "\"01_traversal/face_sides\" = 1\n"
+        "zzz = true\n";
+    const std::vector<AssignmentMistake> expected = {
+        {1, 1,
+         "'nmae' is not a key; expected name, hidden_feedback or [exercises]; "
+         "did you mean name?"},
+        {2, 19,
+         "hidden_feedback is the text 'ful'; expected \"names\", "
+         "\"names_and_hints\", \"full\"; did you mean full?"},
+        {4, 1,
+         "'face_side' is not an exercise; expected one of the 4 there are; "
+         "did you mean face_sides?"},
+        {5, 15,
+         "the weight is the text 'two'; expected a number above 0 and at most "
+         "1000"},
+        {6, 17, "the weight is 0; expected a number above 0 and at most 1000"},
+        {8, 1,
+         "01_traversal/face_sides is named a second time; expected each "
+         "exercise once"},
+        {9, 1, "'zzz' is not an exercise; expected one of the 4 there are"},
+        {9, 7,
+         "the weight is true; expected a number above 0 and at most 1000"},
+    };
+    const auto found = mistakes(text);
+    REQUIRE(found.size() == expected.size());
+    for (std::size_t k = 0; k < found.size(); ++k) {
+        CHECK(found[k].line == expected[k].line);
+        CHECK(found[k].column == expected[k].column);
+        CHECK(found[k].what == expected[k].what);
+    }
+    CHECK_THAT(message(text),
+               Containing("week_1.toml:4:1: 'face_side' is not"));
+}
+
+TEST_CASE("a chapter is part of the suggestion where it was written") {
+    CHECK_THAT(message("[exercises]\n\"01_travesal/face_sides\" = 1\n"),
+               Containing("did you mean 01_traversal/face_sides?"));
+}
+
+TEST_CASE("weights that are no honest numbers are refused") {
+    for (const char* weight : {"-1", "nan", "inf", "1001", "1e300", "[1]",
+                               "{ of = 1 }", "2024-01-01", "'1'"}) {
+        CAPTURE(weight);
+        CHECK_THAT(message("[exercises]\nface_sides = " + std::string(weight)),
+                   Containing("week_1.toml:2:14: the weight is"));
+    }
+}
+
+TEST_CASE("mistakes in the notation have a place") {
+    const auto found = mistakes("name = 'x'\n[exercises\nface_sides = 1\n");
+    REQUIRE(found.size() == 1);
+    CHECK(found[0].line == 2);
+    CHECK_THAT(message("[exercises]\nface_sides = 1\nface_sides = 2\n"),
+               Containing("week_1.toml:3:"));
+}
+
+TEST_CASE("a file without exercises is refused") {
+    CHECK_THAT(message(""), Containing("no table [exercises] was found"));
+    CHECK_THAT(message("[exercises]\n"), Containing("[exercises] is empty"));
+    CHECK_THAT(message("exercises = 3\n"),
+               Containing("exercises is 3; expected "
+                          "a table"));
+    CHECK_THAT(message("name = ''\n[exercises]\nface_sides = 1\n"),
+               Containing("name is the text ''; expected a title"));
+}
+
+TEST_CASE("a file that cannot be read is named") {
+    const course::TemporaryFolder folder;
+    CHECK_THROWS_AS(read_assignment(folder / "none.toml", known),
+                    AssignmentError);
+    CHECK_THROWS_AS(read_assignment(folder.path(), known), AssignmentError);
+}
+
+TEST_CASE("the example of the repository is right") {
+    const std::vector<std::string> all = {"00_table/edge_vertices",
+                                          "00_table/complete_table",
+                                          "00_table/prev",
+                                          "00_table/validate",
+                                          "01_traversal/face_sides",
+                                          "01_traversal/face_vertices",
+                                          "01_traversal/vertex_star",
+                                          "01_traversal/outgoing",
+                                          "01_traversal/vertex_faces",
+                                          "01_traversal/face_across",
+                                          "01_traversal/adjacent_edge_count",
+                                          "01_traversal/adjacent_faces",
+                                          "01_traversal/valences",
+                                          "02_border/edge_kind",
+                                          "02_border/is_border_vertex",
+                                          "02_border/boundary_walk",
+                                          "02_border/boundary_walk_bug",
+                                          "02_border/boundary_loops",
+                                          "02_border/with_dangling_edge"};
+    const Assignment assignment =
+        read_assignment(std::filesystem::path(COURSE_SOURCE_DIR) /
+                            "grader/assignments/first_light.toml",
+                        all);
+    REQUIRE(assignment.exercises.size() == all.size());
+    for (std::size_t k = 0; k < all.size(); ++k)
+        CHECK(assignment.exercises[k].exercise == all[k]);
+}

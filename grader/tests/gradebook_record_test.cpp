@@ -1,0 +1,163 @@
+// The gradebook gives back what was written, and keeps all of it.
+#include <SQLiteCpp/SQLiteCpp.h>
+
+#include "course/runner/codec.h"
+#include "course/runner/temporary_folder.h"
+#include "grader/gradebook/gradebook.h"
+#include "grader/tests/golden.h"
+#include "grader/tests/sample_results.h"
+
+using namespace grader;
+using namespace grader::tests;
+
+namespace {
+
+constexpr const char* exercise = "01_traversal/face_sides";
+
+Attempt attempt(std::string key, ExerciseResult result) {
+    return {"carla", exercise, std::move(key), std::move(result),
+            "2024-03-01T09:31:00Z"};
+}
+
+std::string bytes(const ExerciseResult& result) {
+    return course::encode(result);
+}
+
+std::string bytes(const std::optional<ExerciseResult>& result) {
+    REQUIRE(result.has_value());
+    return course::encode(*result);
+}
+
+int count(const std::filesystem::path& file, const std::string& sql) {
+    const SQLite::Database other(file);
+    SQLite::Statement query(other, sql);
+    REQUIRE(query.executeStep());
+    return query.getColumn(0).getInt();
+}
+
+}  // namespace
+
+TEST_CASE("every result comes back as it was recorded, after reopening") {
+    const course::TemporaryFolder folder;
+    const ClassResults sample = sample_class();
+    {
+        Gradebook book(folder / "g.sqlite");
+        const int run = book.begin_run(sample.run);
+        for (const StudentResults& student : sample.students)
+            for (std::size_t k = 0; k < 3; ++k)
+                book.record(run,
+                            {student.student.id, sample.exercises[k].exercise,
+                             "key", *student.exercises[k], "now"});
+    }
+    const Gradebook book(folder / "g.sqlite", Gradebook::Access::read);
+    CHECK((book.last_run() == sample.run));
+    for (const StudentResults& student : sample.students)
+        for (std::size_t k = 0; k < 3; ++k) {
+            const auto latest =
+                book.latest(student.student.id, sample.exercises[k].exercise);
+            REQUIRE(latest.has_value());
+            CHECK((bytes(latest->result) == bytes(student.exercises[k])));
+            CHECK(latest->key == "key");
+            CHECK(latest->finished_at == "now");
+        }
+}
+
+TEST_CASE("texts with null bytes and without UTF-8 come back as they were") {
+    const course::TemporaryFolder folder;
+    Gradebook book(folder / "g.sqlite");
+    ExerciseResult strange = result(
+        Verdict::wrong_answer,
+        cases(Verdict::wrong_answer, Verdict::accepted, Verdict::accepted));
+    strange.message = std::string("a\0b\xff'; DROP TABLE runs; --", 26);
+    strange.cases[0].printed = std::string(1'000'000, '\xfe');
+    strange.cases[0].failures = {off_the_table(), Failure()};
+    const int run = book.begin_run(sample_run());
+    book.record(run, attempt("k", strange));
+    CHECK((bytes(book.find("carla", exercise, "k")) == bytes(strange)));
+}
+
+TEST_CASE("nothing is overwritten, and the newest attempt counts") {
+    const course::TemporaryFolder folder;
+    Gradebook book(folder / "g.sqlite");
+    const int run = book.begin_run(sample_run());
+    book.record(run, attempt("first", *all_accepted()[0]));
+    book.record(run, attempt("second", *wrong_and_endless()[0]));
+    CHECK(book.latest("carla", exercise)->key == "second");
+    CHECK((bytes(book.find("carla", exercise, "first")) ==
+           bytes(all_accepted()[0])));
+    CHECK(count(folder / "g.sqlite", "SELECT count(*) FROM attempts") == 2);
+    CHECK_FALSE(book.latest("anna.rossi", exercise).has_value());
+    CHECK_FALSE(book.find("carla", exercise, "third").has_value());
+    CHECK_FALSE(book.find("carla", "other", "first").has_value());
+}
+
+TEST_CASE("a student who goes back to an earlier version gets its points") {
+    const course::TemporaryFolder folder;
+    Gradebook book(folder / "g.sqlite");
+    const int run = book.begin_run(sample_run());
+    book.record(run, attempt("first", *all_accepted()[0]));
+    book.record(run, attempt("second", *wrong_and_endless()[0]));
+    const int later = book.begin_run(sample_run());
+    CHECK((bytes(book.reuse(later, "carla", exercise, "first")) ==
+           bytes(all_accepted()[0])));
+    CHECK(book.latest("carla", exercise)->key == "first");
+    // Nothing changes when what counts is used once more.
+    const std::string rows = "SELECT count(*) FROM counted";
+    CHECK(count(folder / "g.sqlite", rows) == 3);
+    CHECK(book.reuse(later, "carla", exercise, "first").has_value());
+    CHECK(count(folder / "g.sqlite", rows) == 3);
+    CHECK_FALSE(book.reuse(later, "carla", exercise, "third").has_value());
+    CHECK(book.latest("carla", exercise)->key == "first");
+}
+
+TEST_CASE("a grader fault counts until it is retried, but is never reused") {
+    const course::TemporaryFolder folder;
+    Gradebook book(folder / "g.sqlite");
+    const int run = book.begin_run(sample_run());
+    book.record(run, attempt("k", result(Verdict::grader_fault, {}, "why")));
+    CHECK(book.latest("carla", exercise)->result.message == "why");
+    CHECK_FALSE(book.find("carla", exercise, "k").has_value());
+    CHECK_FALSE(book.reuse(run, "carla", exercise, "k").has_value());
+    book.record(run, attempt("k", *all_accepted()[0]));
+    CHECK(book.find("carla", exercise, "k").has_value());
+}
+
+TEST_CASE("an attempt needs a run") {
+    const course::TemporaryFolder folder;
+    Gradebook book(folder / "g.sqlite");
+    CHECK_FALSE(book.last_run().has_value());
+    CHECK_THROWS_AS(book.record(7, attempt("k", *all_accepted()[0])),
+                    GradebookError);
+    CHECK(count(folder / "g.sqlite", "SELECT count(*) FROM cases") == 0);
+}
+
+TEST_CASE("an instructor can ask in plain SQL") {
+    const course::TemporaryFolder folder;
+    const std::filesystem::path file = folder / "g.sqlite";
+    Gradebook book(file);
+    const int run = book.begin_run(sample_run());
+    book.record(run, attempt("a", *all_accepted()[0]));
+    book.record(run, attempt("b", *wrong_and_endless()[0]));
+    CHECK(count(file,
+                "SELECT points FROM standing WHERE student = 'carla' "
+                "AND verdict = 'wrong_answer'") == 5);
+    CHECK(count(file, "SELECT count(*) FROM standing") == 1);
+    CHECK(count(file,
+                "SELECT count(*) FROM cases WHERE visibility = 'hidden' "
+                "AND verdict = 'wrong_answer' AND points = 0 "
+                "AND max = 3") == 1);
+    CHECK(count(file,
+                "SELECT count(*) FROM runs WHERE "
+                "seed = '18446744073709551615'") == 1);
+    CHECK(count(file,
+                "SELECT count(*) FROM run_notes "
+                "WHERE student IS NULL") == 1);
+    CHECK(count(file, "SELECT count(*) FROM run_students") == 5);
+}
+
+// Gradebooks that are kept for years hold these bytes: when this fails, the
+// structs of results.h have changed, and schema_version must change with them.
+TEST_CASE("stored failures have the bytes of schema version 1") {
+    check_golden("failures.blob",
+                 course::encode(std::vector{wrong_count(), off_the_table()}));
+}

@@ -1,0 +1,125 @@
+// From the gradebook to the numbers of a class.
+#include "grader/report/class_results.h"
+
+#include "course/runner/codec.h"
+#include "course/runner/temporary_folder.h"
+#include "grader/report/class_page.h"
+#include "grader/report/grades_csv.h"
+#include "grader/report/gradescope.h"
+#include "grader/report/student_page.h"
+#include "grader/report/terminal.h"
+#include "grader/tests/golden.h"
+#include "grader/tests/sample_results.h"
+
+using namespace grader;
+using namespace grader::tests;
+
+namespace {
+
+/// The sample class with one student, who has these results.
+ClassResults one_student(Results results) {
+    ClassResults all = sample_class();
+    all.students = {{all.run.students[0], std::move(results)}};
+    return all;
+}
+
+Status status_of(const Results& results) {
+    return status(one_student(results).students[0]);
+}
+
+}  // namespace
+
+TEST_CASE("a class from the gradebook gives the reports of the class itself") {
+    const course::TemporaryFolder folder;
+    const ClassResults sample = sample_class();
+    Gradebook book(folder / "g.sqlite");
+    const int run = book.begin_run(sample.run);
+    for (const StudentResults& student : sample.students)
+        for (std::size_t k = 0; k < 3; ++k)
+            book.record(run, {student.student.id, sample.exercises[k].exercise,
+                              "key", *student.exercises[k], "now"});
+    const ClassResults read = class_results(book, sample.assignment);
+    CHECK((class_page(read).text == class_page(sample).text));
+    CHECK((grades_csv(read) == grades_csv(sample)));
+    for (std::size_t k = 0; k < sample.students.size(); ++k)
+        CHECK((student_page(read, read.students[k]).text ==
+               student_page(sample, sample.students[k]).text));
+}
+
+TEST_CASE("an exercise without a result is not judged, and has no total") {
+    const course::TemporaryFolder folder;
+    Gradebook book(folder / "g.sqlite");
+    book.begin_run(sample_run());
+    const ClassResults read = class_results(book, sample_assignment());
+    REQUIRE(read.students.size() == 5);
+    CHECK((status(read.students[0]) == Status::not_judged));
+    CHECK_FALSE(total(read, read.students[0]).total.has_value());
+    CHECK(total(read, read.students[0]).max == 35);
+    CHECK_THAT(grades_csv(read), Containing("anna.rossi,,35,,not judged,,,\n"));
+    CHECK_THAT(student_page(read, read.students[0]).text,
+               Containing("Not judged yet."));
+    CHECK_THAT(class_table(read, Colour::off), Containing(".."));
+}
+
+TEST_CASE("a gradebook without a run has no students") {
+    const course::TemporaryFolder folder;
+    const Gradebook book(folder / "g.sqlite");
+    const ClassResults read = class_results(book, sample_assignment());
+    CHECK(read.students.empty());
+    CHECK_THAT(class_page(read).text, Containing("No student"));
+    CHECK(grades_csv(read) ==
+          "student,total,max,percent,status,face_sides,vertex_star,"
+          "boundary_walk\n");
+    CHECK_FALSE(class_table(read, Colour::off).empty());
+}
+
+TEST_CASE("points are weighted, and what is missing counts nothing") {
+    const ClassResults all =
+        one_student({all_accepted()[0], wrong_and_endless()[1], nothing()[2]});
+    const Total sum = total(all, all.students[0]);
+    CHECK(sum.total == 10 + 1.5 * 5);
+    CHECK(sum.max == 10 + 1.5 * 10 + 10);
+}
+
+TEST_CASE("the status tells what a total is worth") {
+    const auto ok = all_accepted()[0], none = nothing()[0], broken = fault()[0],
+               wrong = wrong_and_endless()[2];
+    CHECK((status_of({ok, ok, ok}) == Status::complete));
+    CHECK((status_of({ok, wrong, wrong}) == Status::complete));
+    CHECK((status_of({ok, none, ok}) == Status::partial));
+    CHECK((status_of({none, none, none}) == Status::nothing_submitted));
+    CHECK((status_of({none, broken, std::nullopt}) == Status::grader_fault));
+    CHECK((status_of({ok, none, std::nullopt}) == Status::not_judged));
+}
+
+TEST_CASE("a grader fault never becomes a grade") {
+    const ClassResults all = one_student(fault());
+    CHECK_FALSE(total(all, all.students[0]).total.has_value());
+    CHECK_THAT(grades_csv(all),
+               Containing("anna.rossi,,35,,grader fault,,7,0\n"));
+    const std::string json = gradescope_json(all, all.students[0]);
+    CHECK(json.find("\"score\"") == json.npos);
+    CHECK_THAT(student_page(all, all.students[0]).text,
+               Containing("no grade yet"));
+}
+
+TEST_CASE("the cases that fail most come first, of those that could run") {
+    const auto failed = most_failed(sample_class());
+    REQUIRE(failed.size() == 7);
+    CHECK(failed[0].exercise == "01_traversal/vertex_star");
+    CHECK(failed[0].name == "the faces of the slide mesh");
+    CHECK(failed[0].failed == 2);
+    CHECK(failed[0].judged == 4);
+    // boundary_walk: one compile error, one forbidden operation, one right.
+    CHECK(failed[6].exercise == "02_border/boundary_walk");
+    CHECK(failed[6].failed == 1);
+    CHECK(failed[6].judged == 2);
+}
+
+TEST_CASE("a student is found by id, or by the name of the folder") {
+    const ClassResults all = sample_class();
+    CHECK(find_student(all, "carla") == &all.students[3]);
+    CHECK(find_student(all, "=cmd|' /C calc'!A0") == &all.students[2]);
+    CHECK(find_student(all, all.students[1].student.id) == &all.students[1]);
+    CHECK(find_student(all, "nobody") == nullptr);
+}

@@ -26,12 +26,10 @@ std::string table_of(const Failure& failure) {
     if (failure.mesh.rows.empty()) return "";
     std::vector<int> marked;
     for (const Visit& visit : failure.walk) marked.push_back(visit.i);
-    return fmt::format("\n  The table of mesh \"{}\"{}:\n{}",
-                       failure.mesh.name,
-                       marked.empty() ? "" : ", > where the call looked",
-                       indented(describe(HalfEdgeTable(failure.mesh.rows),
-                                         marked),
-                                "    "));
+    return fmt::format(
+        "\n  The table of mesh \"{}\"{}:\n{}", failure.mesh.name,
+        marked.empty() ? "" : ", > where the call looked",
+        indented(describe(HalfEdgeTable(failure.mesh.rows), marked), "    "));
 }
 
 std::string failed_case(const Exercise& exercise, const CaseResult& c) {
@@ -47,12 +45,12 @@ std::string failed_case(const Exercise& exercise, const CaseResult& c) {
 std::string case_lines(const ExerciseResult& result) {
     std::string text;
     for (const CaseResult& c : result.cases)
-        text += fmt::format(
-            "  {:<6} {}{}\n", c.verdict == Verdict::accepted ? "ok" : "FAILED",
-            c.info.name,
-            c.verdict == Verdict::accepted
-                ? ""
-                : fmt::format("  ({})", words(c.verdict)));
+        text += fmt::format("  {:<6} {}{}\n",
+                            c.verdict == Verdict::accepted ? "ok" : "FAILED",
+                            c.info.name,
+                            c.verdict == Verdict::accepted
+                                ? ""
+                                : fmt::format("  ({})", words(c.verdict)));
     return text;
 }
 

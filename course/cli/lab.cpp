@@ -54,9 +54,10 @@ int list() {
         topic = exercise.topic;
         fmt::print("  {:<22} {}\n", exercise.name, title_of(exercise));
     }
-    fmt::print("\nStatement of an exercise: exercises/<chapter>/<name>.md; "
-               "your file: <name>.cpp\nCheck it with  ./course/lab check "
-               "<name>\n");
+    fmt::print(
+        "\nStatement of an exercise: exercises/<chapter>/<name>.md; "
+        "your file: <name>.cpp\nCheck it with  ./course/lab check "
+        "<name>\n");
     return 0;
 }
 
@@ -65,8 +66,8 @@ int hint(const std::string& name, int number) {
     const std::vector<std::string> hints = hints_of(exercise);
     const int all = static_cast<int>(hints.size());
     if (number < 1 || number > all)
-        throw CannotBegin(fmt::format("{} has hints 1 to {}, not {}", name, all,
-                                      number));
+        throw CannotBegin(
+            fmt::format("{} has hints 1 to {}, not {}", name, all, number));
     for (int k = 0; k < number; ++k)
         fmt::print("{}. {}\n", k + 1, hints[static_cast<std::size_t>(k)]);
     if (number < all)
@@ -87,8 +88,9 @@ void add_commands(CLI::App& program, Options& options, int& code) {
     command->add_option("exercise", options.name, "its name")->required();
     command->add_option("--file", options.file,
                         "another file than the one in exercises/");
-    command->footer("Exit code: 0 accepted, 1 not accepted, 2 wrong usage, 3 "
-                    "the check itself failed.");
+    command->footer(
+        "Exit code: 0 accepted, 1 not accepted, 2 wrong usage, 3 "
+        "the check itself failed.");
     command->callback([&] { code = check(options.name, options.file); });
 
     command = program.add_subcommand("list", "All exercises by chapter");

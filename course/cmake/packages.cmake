@@ -28,6 +28,9 @@ course_package(
     https://github.com/CLIUtils/CLI11/archive/refs/tags/v2.1.2.tar.gz
     26291377e892ba0e5b4972cdfd4a2ab3bf53af8dac1f4ea8fe0d1376b625c8cb)
 course_package(
-    tinyobjloader 2.0.0rc10 tinyobjloader::tinyobjloader
-    https://github.com/tinyobjloader/tinyobjloader/archive/refs/tags/v2.0.0rc10.tar.gz
-    e1bc2e5547b562d33ca4e90b581717984a70d58113d83208dbc97c82e137b9fe)
+    tinyobjloader 2.0.0rc13 tinyobjloader::tinyobjloader
+    https://github.com/tinyobjloader/tinyobjloader/archive/refs/tags/v2.0.0rc13.tar.gz
+    0feb92b838f8ce4aa6eb0ccc32dff30cb64a891e0ec3bde837fca49c78d44334)
+if(NOT TARGET tinyobjloader::tinyobjloader)
+    add_library(tinyobjloader::tinyobjloader ALIAS tinyobjloader)
+endif()

@@ -132,7 +132,8 @@ void HalfEdgeTable::note_reads(std::int64_t reads,
 
 const HalfEdge* HalfEdgeTable::checked_row(HalfEdgeIndex at) const {
     if (static_cast<std::uint64_t>(at.i) >= rows_.size() || left_ <= 0)
-        [[unlikely]] fail(at);
+        [[unlikely]]
+        fail(at);
     note(at);
     return rows_.data() + at.i;
 }
@@ -188,8 +189,8 @@ void HalfEdgeTable::note_changes() const {
         const int after[] = {is.vi, is.fi, is.next, is.opp};
         for (int field = 0; field < 4; ++field)
             if (before[field] != after[field])
-                events_.back().changes.push_back({static_cast<int>(i), field,
-                                                  before[field], after[field]});
+                events_.back().changes.push_back(
+                    {static_cast<int>(i), field, before[field], after[field]});
         shadow_[i] = is;
     }
 }
@@ -198,7 +199,8 @@ void HalfEdgeTable::note(HalfEdgeIndex at) const {
     ring_[--left_ & (ring_size - 1)] = {static_cast<int>(at.i), line_of(at)};
     if (!tracing_) return;
     note_changes();
-    events_.push_back({static_cast<int>(at.i), line_of(at),
+    events_.push_back({static_cast<int>(at.i),
+                       line_of(at),
                        static_cast<int>(at.place % 4096),
                        {}});
 }

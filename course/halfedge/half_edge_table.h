@@ -25,8 +25,8 @@
 #else
 #define COURSE_TABLE_NAMESPACE traced_table
 #if defined(__clang__) || !__has_include(<source_location>)
-#define COURSE_LINE_AND_COLUMN                                        \
-    std::int64_t line = __builtin_LINE(),                             \
+#define COURSE_LINE_AND_COLUMN            \
+    std::int64_t line = __builtin_LINE(), \
                  std::int64_t column = __builtin_COLUMN()
 #else
 #include <source_location>
@@ -185,8 +185,12 @@ public:
     }
 
     /// Reads since begin_call, and how many more are allowed.
-    std::int64_t reads() const { return budget_ - left_; }
-    std::int64_t reads_left() const { return left_; }
+    std::int64_t reads() const {
+        return budget_ - left_;
+    }
+    std::int64_t reads_left() const {
+        return left_;
+    }
 
     /// The last reads, at most 64, oldest first.
     std::vector<Visit> last_visits() const;
@@ -231,7 +235,8 @@ private:
 #ifdef __OPTIMIZE__
     [[gnu::always_inline]] const HalfEdge* row(HalfEdgeIndex at) const {
         if (static_cast<std::uint64_t>(at.i) >= rows_.size() || left_ <= 0)
-            [[unlikely]] fail(at);
+            [[unlikely]]
+            fail(at);
         note(at);
         return rows_.data() + at.i;
     }

@@ -38,21 +38,22 @@ public:
         for (const auto& face : faces) push_back(face);
     }
 
-    int size() const { return static_cast<int>(first_.size()) - 1; }
+    int size() const { return static_cast<int>(end_.size()); }
     bool empty() const { return size() == 0; }
     Face operator[](int f) const {
         const auto i = static_cast<std::size_t>(f);
-        return Face(corners_).subspan(first_[i], first_[i + 1] - first_[i]);
+        const std::size_t begin = i == 0 ? 0 : end_[i - 1];
+        return Face(corners_).subspan(begin, end_[i] - begin);
     }
     void push_back(Face corners) {
         corners_.insert(corners_.end(), corners.begin(), corners.end());
-        first_.push_back(corners_.size());
+        end_.push_back(corners_.size());
     }
     void push_back(std::initializer_list<int> corners) {
         push_back(Face(corners.begin(), corners.size()));
     }
     void reserve(std::size_t faces, std::size_t corners) {
-        first_.reserve(faces + 1);
+        end_.reserve(faces);
         corners_.reserve(corners);
     }
     /// Corners of all faces, one after the other.
@@ -64,7 +65,7 @@ public:
     friend bool operator==(const FaceList&, const FaceList&) = default;
 
 private:
-    std::vector<std::size_t> first_ = {0};  // face f: first_[f]..first_[f+1]
+    std::vector<std::size_t> end_;  // where each face ends in corners_
     std::vector<int> corners_;
 };
 

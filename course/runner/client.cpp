@@ -19,6 +19,11 @@ Client* the_client = nullptr;
 // a fault of the grader, never of the submission.
 constexpr std::chrono::seconds launcher_patience{20};
 
+/// The launcher lives, as far as is known, but says nothing.
+struct LauncherSilent : SystemError {
+    using SystemError::SystemError;
+};
+
 // Tables up to this size are compared row by row before they are taken for one
 // that the worker already has; of larger ones a sample.
 constexpr std::size_t small_table = 4096;
@@ -41,25 +46,31 @@ std::uint64_t nonce() {
 
 std::string signal_text(int signal) {
     switch (signal) {
-        case SIGSEGV: return "segmentation fault: it used a bad pointer or an "
-                             "index far outside an array";
-        case SIGBUS: return "bus error: it used a bad pointer";
-        case SIGFPE: return "arithmetic error: a division by zero?";
-        case SIGILL: return "illegal instruction: does every path of the "
-                            "function return a value?";
-        case SIGABRT: return "aborted: an assertion of the library failed, or "
-                             "an exception was not caught";
-        case SIGTRAP: return "trapped: does every path of the function return "
-                             "a value?";
-        default: return fmt::format("ended by signal {}", signal);
+        case SIGSEGV:
+            return "segmentation fault: it used a bad pointer or an "
+                   "index far outside an array";
+        case SIGBUS:
+            return "bus error: it used a bad pointer";
+        case SIGFPE:
+            return "arithmetic error: a division by zero?";
+        case SIGILL:
+            return "illegal instruction: does every path of the "
+                   "function return a value?";
+        case SIGABRT:
+            return "aborted: an assertion of the library failed, or "
+                   "an exception was not caught";
+        case SIGTRAP:
+            return "trapped: does every path of the function return "
+                   "a value?";
+        default:
+            return fmt::format("ended by signal {}", signal);
     }
 }
 
 std::string crash_text(const Crash& crash) {
-    std::string text =
-        crash.stack_overflow != 0
-            ? "the stack is full: a recursion that does not end?"
-            : signal_text(crash.signal);
+    std::string text = crash.stack_overflow != 0
+                           ? "the stack is full: a recursion that does not end?"
+                           : signal_text(crash.signal);
     const int n = std::clamp(crash.visit_count, 0, 64);
     if (n > 0)
         text += fmt::format("; the last use of the table was he[{}] at line {}",
@@ -70,6 +81,14 @@ std::string crash_text(const Crash& crash) {
 std::string out_of_memory_text(const Limits& limits) {
     return fmt::format("the program asked for more than {} MiB of memory",
                        limits.memory_mib);
+}
+
+/// A text for messages. Catch2 needs half a minute to print 50 MB.
+std::string text_from(Reader& in) {
+    constexpr std::size_t longest = 4096;
+    const std::size_t size = in.count(1);
+    const std::string_view all = in.take(size);
+    return std::string(all.substr(0, longest));
 }
 
 /// The student's exception as the same standard type, so that a suite can ask
@@ -87,11 +106,17 @@ std::string out_of_memory_text(const Limits& limits) {
 }  // namespace
 
 Client::Client(Descriptor control, const Limits& limits)
-    : control_(std::move(control)), limits_(limits) {}
+    : control_(std::move(control)),
+      limits_(limits),
+      run_end_(Clock::now() + std::chrono::milliseconds(limits.run_ms)) {}
 
-Client* Client::current() { return the_client; }
+Client* Client::current() {
+    return the_client;
+}
 
-void Client::set_current(Client* client) { the_client = client; }
+void Client::set_current(Client* client) {
+    the_client = client;
+}
 
 void Client::begin_case() {
     poisoned_ = false;
@@ -111,9 +136,14 @@ LauncherEvent Client::wait_for_event(Event wanted,
     for (;;) {
         std::string bytes;
         LauncherEvent event{};
-        if (receive_all(control_.get(), bytes, sizeof event, until) !=
-            Transfer::done)
-            throw SystemError("the sandbox does not answer");
+        switch (receive_all(control_.get(), bytes, sizeof event, until)) {
+            case Transfer::done:
+                break;
+            case Transfer::closed:
+                throw SystemError("the sandbox is gone");
+            case Transfer::timed_out:
+                throw LauncherSilent("the sandbox does not answer");
+        }
         std::memcpy(&event, bytes.data(), sizeof event);
         if (event.generation != generation_) continue;
         if (event.event == Event::not_started)
@@ -183,6 +213,11 @@ Clock::time_point Client::deadline() const {
 
 void Client::begin_call() {
     if (poisoned_) throw WorkerFailed{};
+    if (!for_good_ && Clock::now() > run_end_)
+        for_good_ = {
+            Verdict::time_limit_exceeded,
+            fmt::format("not run: the cases before took more than {} s",
+                        limits_.run_ms / 1000)};
     if (for_good_) fail(for_good_->first, for_good_->second);
     if (alive_) return;
     try {
@@ -216,8 +251,10 @@ void Client::send(const FrameHead& head, const Request& request,
     frame.bytes += request.tables.bytes;
     frame.bytes += request.arguments.bytes;
     switch (send_all(channel_.get(), frame.bytes, until)) {
-        case Transfer::done: return;
-        case Transfer::closed: worker_is_gone();
+        case Transfer::done:
+            return;
+        case Transfer::closed:
+            worker_is_gone();
         case Transfer::timed_out:
             ran_out_of_time("the program does not take its input");
     }
@@ -227,9 +264,12 @@ FrameHead Client::receive(const FrameHead& request, std::string& body,
                           Clock::time_point until) {
     const auto take = [&](std::size_t size) {
         switch (receive_all(channel_.get(), body, size, until)) {
-            case Transfer::done: return;
-            case Transfer::closed: worker_is_gone();
-            case Transfer::timed_out: ran_out_of_time("no answer");
+            case Transfer::done:
+                return;
+            case Transfer::closed:
+                worker_is_gone();
+            case Transfer::timed_out:
+                ran_out_of_time("no answer");
         }
     };
     FrameHead reply{};
@@ -238,23 +278,22 @@ FrameHead Client::receive(const FrameHead& request, std::string& body,
     if (reply.magic != reply_magic || reply.nonce != request.nonce)
         malformed("it is no answer to the question that was asked");
     if (reply.length > static_cast<std::uint64_t>(limits_.reply_mib) << 20)
-        fail(Verdict::memory_limit_exceeded,
-             fmt::format("the result is larger than {} MiB",
-                         limits_.reply_mib));
+        fail(
+            Verdict::memory_limit_exceeded,
+            fmt::format("the result is larger than {} MiB", limits_.reply_mib));
     take(static_cast<std::size_t>(reply.length));
     return reply;
 }
 
 void Client::take_trace(Reader& in) {
-    last_call_.reads = get<std::int64_t>(in);
+    last_call_.reads = std::max<std::int64_t>(get<std::int64_t>(in), 0);
     const auto pairs = get<std::vector<std::int32_t>>(in);
     const std::size_t n = std::min<std::size_t>(pairs.size() / 2, 64);
     last_call_.walk.clear();
     for (std::size_t k = 0; k < n; ++k)
         last_call_.walk.push_back({pairs[2 * k], pairs[2 * k + 1]});
     if (walked_ != nullptr)
-        walked_->note_reads(std::max<std::int64_t>(last_call_.reads, 0),
-                            last_call_.walk);
+        walked_->note_reads(last_call_.reads, last_call_.walk);
 }
 
 void Client::note_crash(const std::string& body) {
@@ -275,24 +314,26 @@ std::string Client::result_of(const FrameHead& reply, const std::string& body) {
     try {
         Reader in(body);
         if (reply.status == CallStatus::not_loaded) {
-            for_good_ = {Verdict::compile_error, get<std::string>(in)};
+            for_good_ = {Verdict::compile_error, text_from(in)};
             fail(for_good_->first, for_good_->second);
         }
         take_trace(in);
         switch (reply.status) {
-            case CallStatus::returned: return std::string(in.take(in.left()));
+            case CallStatus::returned:
+                return std::string(in.take(in.left()));
             case CallStatus::out_of_table:
-                fail(Verdict::run_time_error, get<std::string>(in));
+                fail(Verdict::run_time_error, text_from(in));
             case CallStatus::too_many_reads:
-                fail(Verdict::time_limit_exceeded, get<std::string>(in));
+                fail(Verdict::time_limit_exceeded, text_from(in));
             case CallStatus::out_of_memory:
                 fail(Verdict::memory_limit_exceeded,
                      out_of_memory_text(limits_));
             case CallStatus::threw: {
-                const auto type = get<std::string>(in);
-                rethrow(type, get<std::string>(in));
+                const std::string type = text_from(in);
+                rethrow(type, text_from(in));
             }
-            default: break;
+            default:
+                break;
         }
     } catch (const CodecError& error) {
         malformed(error.what());
@@ -334,9 +375,13 @@ void Client::worker_is_gone() {
     LauncherEvent event{};
     try {
         event = wait_for_event(Event::ended, std::chrono::milliseconds(1000));
-    } catch (const SystemError&) {
+    } catch (const LauncherSilent&) {
         fail(Verdict::run_time_error,
              "the program closed its conversation with the grader");
+    } catch (const SystemError& error) {
+        alive_ = false;
+        for_good_ = {Verdict::grader_fault, error.what()};
+        fail(for_good_->first, for_good_->second);
     }
     alive_ = false;
     const int status = event.status;
@@ -359,7 +404,8 @@ void Client::worker_is_gone() {
                          limits_.output_kib));
     if (signal == SIGXCPU ||
         (signal == SIGKILL &&
-         event.cpu_us >= std::int64_t{1'000'000} * limits_.cpu_seconds - 100'000))
+         event.cpu_us >=
+             std::int64_t{1'000'000} * limits_.cpu_seconds - 100'000))
         ran_out_of_time("no answer");
     if (signal == SIGKILL)
         fail(Verdict::memory_limit_exceeded,

@@ -113,11 +113,13 @@ private:
     Descriptor output_;
     std::uint32_t generation_ = 0;
     bool alive_ = false;
-    std::optional<std::pair<Verdict, std::string>> for_good_;  ///< no more calls
+    std::optional<std::pair<Verdict, std::string>>
+        for_good_;  ///< no more calls
     std::optional<Crash> crash_;
     bool poisoned_ = false;  ///< the case has failed; no more calls in it
     int timeouts_ = 0;
     Clock::time_point case_end_;
+    Clock::time_point run_end_;
     std::list<SentTable> sent_;
     std::uint64_t next_table_ = 1;
     LastCall last_call_;

@@ -166,8 +166,7 @@ struct Codec<std::vector<T>> {
             v.resize(n);
             in.raw(v.data(), n * sizeof(T));
         } else {
-            for (std::size_t k = 0; k < n; ++k)
-                v.push_back(course::get<T>(in));
+            for (std::size_t k = 0; k < n; ++k) v.push_back(course::get<T>(in));
         }
         return v;
     }
@@ -229,8 +228,7 @@ struct Codec<std::map<K, V>> {
         }
     }
     static std::map<K, V> get(Reader& in) {
-        const std::size_t n =
-            in.count(Codec<K>::smallest + Codec<V>::smallest);
+        const std::size_t n = in.count(Codec<K>::smallest + Codec<V>::smallest);
         std::map<K, V> v;
         for (std::size_t k = 0; k < n; ++k) {
             K key = course::get<K>(in);
@@ -310,15 +308,18 @@ auto fields(T& v) {
 
 template <class T>
 concept Struct = std::is_class_v<T> && std::is_aggregate_v<T> && !Plain<T> &&
-                 !requires(T value) { value.begin(); };
+                 !requires(T value) {
+    value.begin();
+};
 
 template <Struct T>
 struct Codec<T> {
     static constexpr std::size_t smallest = 1;
 
     static void put(Writer& out, const T& v) {
-        std::apply([&](const auto&... field) { (course::put(out, field), ...); },
-                   detail::fields(v));
+        std::apply(
+            [&](const auto&... field) { (course::put(out, field), ...); },
+            detail::fields(v));
     }
     static T get(Reader& in) {
         T v;

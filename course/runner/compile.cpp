@@ -22,7 +22,9 @@ std::string plain_name(const std::string& symbol) {
 
 }  // namespace
 
-std::string compiler() { return COURSE_COMPILER; }
+std::string compiler() {
+    return COURSE_COMPILER;
+}
 
 std::filesystem::path student_include() {
     return build_root() / "student" / "include";

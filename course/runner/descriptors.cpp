@@ -21,13 +21,15 @@ namespace {
 
 constexpr std::size_t most_passed = 4;
 
-void close_on_exec(int fd) { ::fcntl(fd, F_SETFD, FD_CLOEXEC); }
+void close_on_exec(int fd) {
+    ::fcntl(fd, F_SETFD, FD_CLOEXEC);
+}
 
 /// Waits until `fd` is ready for `events`; false when time is up.
 bool wait_for(int fd, short events, Clock::time_point until) {
     for (;;) {
-        const auto left = std::chrono::ceil<std::chrono::milliseconds>(
-            until - Clock::now());
+        const auto left =
+            std::chrono::ceil<std::chrono::milliseconds>(until - Clock::now());
         pollfd p{fd, events, 0};
         const int n =
             ::poll(&p, 1, static_cast<int>(std::max<long>(left.count(), 0)));

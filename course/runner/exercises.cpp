@@ -52,8 +52,12 @@ bool starts_an_item(const std::string& line) {
 
 }  // namespace
 
-fs::path source_root() { return COURSE_SOURCE_DIR; }
-fs::path build_root() { return COURSE_BINARY_DIR; }
+fs::path source_root() {
+    return COURSE_SOURCE_DIR;
+}
+fs::path build_root() {
+    return COURSE_BINARY_DIR;
+}
 
 std::string Exercise::file_name() const {
     return name + (is_data ? ".csv" : ".cpp");
@@ -62,14 +66,17 @@ std::string Exercise::file_name() const {
 fs::path Exercise::contract() const {
     return folder_of(*this) / (name + ".h");
 }
-fs::path Exercise::skeleton() const { return folder_of(*this) / file_name(); }
+fs::path Exercise::skeleton() const {
+    return folder_of(*this) / file_name();
+}
 fs::path Exercise::statement() const {
     return folder_of(*this) / (name + ".md");
 }
 
 std::vector<Exercise> all_exercises() {
     std::vector<fs::path> topics;
-    for (const auto& entry : fs::directory_iterator(source_root() / "exercises"))
+    for (const auto& entry :
+         fs::directory_iterator(source_root() / "exercises"))
         if (entry.is_directory()) topics.push_back(entry.path());
     std::sort(topics.begin(), topics.end());
     std::vector<Exercise> all;

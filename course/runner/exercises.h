@@ -14,8 +14,8 @@ std::filesystem::path source_root();
 std::filesystem::path build_root();
 
 struct Exercise {
-    std::string topic;  ///< "01_traversal"
-    std::string name;   ///< "face_sides", the name of its function and files
+    std::string topic;     ///< "01_traversal"
+    std::string name;      ///< "face_sides", the name of its function and files
     bool is_data = false;  ///< the submission is a table and not a function
 
     /// What a student hands in: "face_sides.cpp" or "complete_table.csv".

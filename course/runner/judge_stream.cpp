@@ -20,6 +20,19 @@ struct FrameStart {
     std::uint64_t kind;
 };
 
+/// What the report says of a case. Nothing, or more than one thing, or no
+/// verdict that there is: the default, which is a grader fault.
+CaseResult only_result(const JudgeReport& report, const std::string& name) {
+    const auto is_it = [&](const CaseResult& r) { return r.info.name == name; };
+    const auto& all = report.results;
+    const auto found = std::find_if(all.begin(), all.end(), is_it);
+    if (std::count_if(all.begin(), all.end(), is_it) != 1) return {};
+    if (found->verdict < Verdict::accepted ||
+        found->verdict > Verdict::grader_fault)
+        return {};
+    return *found;
+}
+
 }  // namespace
 
 void JudgeStream::send(char kind, const std::string& body) {
@@ -37,7 +50,9 @@ void JudgeStream::report(const CaseResult& result) {
     send(case_frame, encode(result));
 }
 
-void JudgeStream::end() { send(end_frame, ""); }
+void JudgeStream::end() {
+    send(end_frame, "");
+}
 
 JudgeReport read_judge_stream(int fd, Clock::time_point until) {
     JudgeReport report;
@@ -50,11 +65,14 @@ JudgeReport read_judge_stream(int fd, Clock::time_point until) {
         if (start.length > longest_frame ||
             receive_all(fd, bytes, start.length, until) != Transfer::done)
             break;
-        if (start.kind == plan_frame)
+        if (start.kind == plan_frame && !report.planned)
             report.planned = decode<std::vector<CaseInfo>>(bytes);
-        if (start.kind == case_frame)
+        else if (start.kind == case_frame && report.planned)
             report.results.push_back(decode<CaseResult>(bytes));
-        report.ended = start.kind == end_frame;
+        else if (start.kind == end_frame && start.length == 0)
+            report.ended = true;
+        else
+            break;  // no judge says so
     }
     return report;
 }
@@ -67,14 +85,14 @@ ExerciseResult result_of(const JudgeReport& report) {
     }
     result.verdict = Verdict::accepted;
     for (const CaseInfo& planned : *report.planned) {
-        const auto found = std::find_if(
-            report.results.begin(), report.results.end(),
-            [&](const CaseResult& r) { return r.info.name == planned.name; });
-        CaseResult done;
-        if (found != report.results.end()) done = *found;
+        CaseResult done = only_result(report, planned.name);
         done.info = planned;
         result.verdict = std::max(result.verdict, done.verdict);
         result.cases.push_back(std::move(done));
+    }
+    if (report.results.size() > report.planned->size()) {
+        result.verdict = Verdict::grader_fault;
+        result.message = "the judge reported more cases than it planned";
     }
     if (!report.ended) {
         result.verdict = Verdict::grader_fault;

@@ -22,8 +22,7 @@ ExerciseResult judge_function(Workplace& workplace, JudgeRun run,
                               const fs::path& source) {
     const TemporaryFolder folder;
     const fs::path shared = folder / "submission.so";
-    const Compiled compiled =
-        workplace.compile(run.exercise, source, shared);
+    const Compiled compiled = workplace.compile(run.exercise, source, shared);
     ExerciseResult result;
     if (compiled.verdict == Verdict::accepted) {
         DescriptorPair control = socket_pair();

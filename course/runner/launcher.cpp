@@ -26,7 +26,9 @@ namespace {
 // exit code of a submission looks like it.
 constexpr int ready_descriptor = 4;
 
-[[noreturn]] void give_up() { ::_exit(1); }
+[[noreturn]] void give_up() {
+    ::_exit(1);
+}
 
 int wake_up_pipe = -1;
 
@@ -123,7 +125,8 @@ void Launcher::tell(Event event, std::int32_t status,
 void Launcher::start(const LauncherOrder& order,
                      const std::vector<Descriptor>& passed) {
     generation_ = order.generation;
-    if (worker_ > 0 || passed.size() != 2) return tell(Event::not_started, EBUSY);
+    if (worker_ > 0 || passed.size() != 2)
+        return tell(Event::not_started, EBUSY);
     DescriptorPair ready = pipe_pair();
     const pid_t pid = ::fork();
     if (pid == 0)
@@ -167,7 +170,8 @@ void Launcher::collect() {
         ::kill(-worker_, SIGKILL);
         if (::getpid() == 1) {
             ::kill(-1, SIGKILL);
-            while (::wait4(-1, nullptr, 0, nullptr) > 0) {}
+            while (::wait4(-1, nullptr, 0, nullptr) > 0) {
+            }
         }
         worker_ = -1;
         tell(Event::ended, status,
@@ -187,7 +191,8 @@ int Launcher::run() {
         if (::poll(p, 2, -1) < 0) continue;
         if (p[1].revents != 0) {
             char drained[64];
-            while (::read(wake_up.first.get(), drained, sizeof drained) > 0) {}
+            while (::read(wake_up.first.get(), drained, sizeof drained) > 0) {
+            }
             collect();
         }
         if (p[0].revents == 0) continue;

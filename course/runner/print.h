@@ -54,7 +54,7 @@ struct StringMaker<std::nullopt_t> {
 
 /// A plain struct, and a row of the table: its fields in braces.
 template <class T>
-    requires course::Struct<T> || std::same_as<T, HalfEdge>
+requires course::Struct<T> || std::same_as<T, HalfEdge>
 struct StringMaker<T> {
     static std::string convert(const T& value) {
         std::string text;

@@ -95,8 +95,8 @@ bool read_to_end(int fd, Capture& capture, Clock::time_point until) {
     std::string piece;
     char buffer[1 << 16];
     for (;;) {
-        const auto left = std::chrono::ceil<std::chrono::milliseconds>(
-            until - Clock::now());
+        const auto left =
+            std::chrono::ceil<std::chrono::milliseconds>(until - Clock::now());
         pollfd p{fd, POLLIN, 0};
         const int ready =
             ::poll(&p, 1, static_cast<int>(std::max<long>(left.count(), 0)));
@@ -129,9 +129,9 @@ Process::Process(const Command& command) {
     ::posix_spawnattr_setsigdefault(&attributes, &usual);
     // A group of its own: Ctrl-C at the terminal is for the grader to handle.
     ::posix_spawnattr_setpgroup(&attributes, 0);
-    ::posix_spawnattr_setflags(
-        &attributes, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF |
-                         POSIX_SPAWN_SETPGROUP);
+    ::posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK |
+                                                POSIX_SPAWN_SETSIGDEF |
+                                                POSIX_SPAWN_SETPGROUP);
     const int error =
         ::posix_spawnp(&pid_, command.arguments.at(0).c_str(), actions.get(),
                        &attributes, pointers(command.arguments).data(),
@@ -152,7 +152,8 @@ Process::~Process() {
 
 int Process::wait() {
     int status = 0;
-    while (pid_ > 0 && ::waitpid(pid_, &status, 0) < 0 && errno == EINTR) {}
+    while (pid_ > 0 && ::waitpid(pid_, &status, 0) < 0 && errno == EINTR) {
+    }
     pid_ = -1;
     return status;
 }

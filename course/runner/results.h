@@ -25,7 +25,7 @@ struct CaseInfo {
 /// The mesh that a failure happened on, enough to draw it.
 struct MeshPicture {
     std::string name;
-    std::vector<HalfEdge> rows;    ///< empty when the mesh is too large
+    std::vector<HalfEdge> rows;   ///< empty when the mesh is too large
     std::vector<Vec3> positions;  ///< may be empty
 };
 
@@ -36,8 +36,8 @@ struct Failure {
     std::string got;       ///< "0", or what went wrong instead of an answer
     std::string note;      ///< INFO texts of the suite
     MeshPicture mesh;
-    std::vector<Visit> walk;    ///< the last reads of the call, oldest first
-    std::int64_t reads = 0;     ///< how many there were in all
+    std::vector<Visit> walk;  ///< the last reads of the call, oldest first
+    std::int64_t reads = 0;   ///< how many there were in all
 };
 
 /// What became of one case.
@@ -52,7 +52,7 @@ struct CaseResult {
 /// What became of one exercise of one submission.
 struct ExerciseResult {
     Verdict verdict = Verdict::grader_fault;
-    std::string message;   ///< compiler output, or what the grader's fault was
+    std::string message;  ///< compiler output, or what the grader's fault was
     std::vector<CaseResult> cases;
 
     double points() const;

@@ -5,10 +5,10 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include <cxxabi.h>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
-#include <cxxabi.h>
 #include <exception>
 #include <new>
 #include <typeinfo>
@@ -43,8 +43,8 @@ bool below_the_stack(const void* address) {
 /// allocation that failed is no ordinary crash.
 bool no_memory_left() {
     constexpr std::size_t little = std::size_t{32} << 20;
-    void* probe = ::mmap(nullptr, little, PROT_NONE,
-                         MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+    void* probe =
+        ::mmap(nullptr, little, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
     if (probe == MAP_FAILED) return true;
     ::munmap(probe, little);
     return false;

@@ -15,7 +15,9 @@ std::string the_file;
 
 }  // namespace
 
-void set_submitted_file(const std::string& path) { the_file = path; }
+void set_submitted_file(const std::string& path) {
+    the_file = path;
+}
 
 std::vector<std::vector<std::optional<int>>> submitted_table() {
     std::ifstream in(the_file, std::ios::binary);

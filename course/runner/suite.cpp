@@ -25,9 +25,9 @@ std::string StringMaker<HalfEdgeTable>::convert(const HalfEdgeTable& he) {
     constexpr int most = 24;
     std::string text = "{ ";
     for (int i = 0; i < he.size() && i < most; ++i)
-        text += (i > 0 ? ", " : "") +
-                ::Catch::Detail::stringify(
-                    he.rows()[static_cast<std::size_t>(i)]);
+        text +=
+            (i > 0 ? ", " : "") +
+            ::Catch::Detail::stringify(he.rows()[static_cast<std::size_t>(i)]);
     if (he.size() > most)
         text += ", ... " + std::to_string(he.size() - most) + " more";
     return text + " }";
@@ -41,15 +41,33 @@ namespace {
 
 std::uint64_t the_seed = 1;
 
+/// Begun where the list reads smallest, so that repeated numbers do no harm.
+/// Linear: whatever follows i loses against j as soon as one number does.
+/// (Booth's least rotation, in the form with two candidates.)
 std::vector<int> rotated_to_smallest(std::vector<int> cycle) {
-    if (cycle.empty()) return cycle;
-    // The smallest of all rotations, so that repeated numbers do no harm.
-    std::vector<int> best = cycle;
-    for (std::size_t k = 1; k < cycle.size(); ++k) {
-        std::rotate(cycle.begin(), cycle.begin() + 1, cycle.end());
-        if (cycle < best) best = cycle;
+    const std::size_t n = cycle.size();
+    std::size_t i = 0, j = 1, same = 0;
+    while (i < n && j < n && same < n) {
+        const int a = cycle[(i + same) % n];
+        const int b = cycle[(j + same) % n];
+        if (a == b) {
+            ++same;
+            continue;
+        }
+        (a > b ? i : j) += same + 1;
+        if (i == j) ++j;
+        same = 0;
     }
-    return best;
+    std::rotate(cycle.begin(),
+                cycle.begin() + static_cast<std::ptrdiff_t>(std::min(i, j)),
+                cycle.end());
+    return cycle;
+}
+
+/// Nobody reads more, and a hostile answer may be megabytes long.
+void shorten(std::string& text) {
+    constexpr std::size_t most = 4000;
+    if (text.size() > most) text = text.substr(0, most) + " ... (cut)";
 }
 
 std::vector<int> sorted(std::vector<int> list) {
@@ -70,6 +88,9 @@ std::vector<std::vector<int>> sorted_loops(
 void CaseRecord::add(Verdict failed, Failure failure) {
     constexpr std::size_t most = 3;
     verdict = std::max(verdict, failed);
+    for (std::string* text :
+         {&failure.call, &failure.expected, &failure.got, &failure.note})
+        shorten(*text);
     if (failures.size() < most) failures.push_back(std::move(failure));
 }
 
@@ -78,23 +99,33 @@ CaseRecord& case_record() {
     return record;
 }
 
-void set_seed(std::uint64_t seed) { the_seed = seed; }
+void set_seed(std::uint64_t seed) {
+    the_seed = seed;
+}
 
-std::uint64_t seed() { return the_seed; }
+std::uint64_t seed() {
+    return the_seed;
+}
 
-void hint(std::string text) { case_record().hint = std::move(text); }
+void hint(std::string text) {
+    case_record().hint = std::move(text);
+}
 
 OnMesh::OnMesh(const Fixture& fixture) {
     case_record().meshes.push_back(&fixture);
 }
 
-OnMesh::~OnMesh() { case_record().meshes.pop_back(); }
+OnMesh::~OnMesh() {
+    case_record().meshes.pop_back();
+}
 
 ReadBudget::ReadBudget(const HalfEdgeTable& he, std::int64_t reads) : he_(he) {
     he_.begin_call(reads);
 }
 
-ReadBudget::~ReadBudget() { he_.begin_call(HalfEdgeTable::unwatched); }
+ReadBudget::~ReadBudget() {
+    he_.begin_call(HalfEdgeTable::unwatched);
+}
 
 Fixture renumbered(const Fixture& fixture, std::uint64_t salt) {
     Renumbering map = renumber_all(fixture.he, seed() * 1000 + salt);
@@ -104,7 +135,8 @@ Fixture renumbered(const Fixture& fixture, std::uint64_t salt) {
         if (v < map.vertex.size() && map.vertex[v] >= 0)
             result.mesh.positions[static_cast<std::size_t>(map.vertex[v])] =
                 fixture.mesh.positions[v];
-    std::vector<int> face_at(static_cast<std::size_t>(fixture.mesh.faces.size()));
+    std::vector<int> face_at(
+        static_cast<std::size_t>(fixture.mesh.faces.size()));
     for (std::size_t f = 0; f < face_at.size(); ++f)
         face_at[static_cast<std::size_t>(map.face[f])] = static_cast<int>(f);
     result.mesh.faces = {};
@@ -128,8 +160,14 @@ std::vector<Fixture> all_fixtures() {
 
 std::vector<Fixture> generated_fixtures() {
     std::vector<Fixture> all;
+    constexpr Surface surfaces[] = {Surface::open, Surface::closed,
+                                    Surface::mixed};
     for (std::uint64_t k = 0; k < 6; ++k) {
-        const IndexedMesh mesh = random_polygons(seed() * 100 + k, {});
+        RandomMesh options;
+        options.faces = 40;
+        options.parts = 1 + static_cast<int>(k) / 2;
+        options.surface = surfaces[k % 3];
+        const IndexedMesh mesh = random_polygons(seed() * 100 + k, options);
         Fixture fixture{"generated mesh " + std::to_string(k), mesh,
                         build(mesh)};
         all.push_back(renumbered(fixture, k));

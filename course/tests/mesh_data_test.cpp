@@ -150,7 +150,7 @@ TEST_CASE("real models are read, and their tables are sound") {
         CHECK(loops_of(he).size() == model.loops);
         CHECK(to_faces(he).size() == mesh.faces.size());
         const TemporaryFolder folder;
-        write_obj(folder.path() / model.file, mesh);
-        CHECK(read_obj(folder.path() / model.file) == mesh);
+        write_obj(folder / model.file, mesh);
+        CHECK(read_obj(folder / model.file) == mesh);
     }
 }

@@ -1,42 +1,26 @@
-// Files for the tests of the readers and writers, in a folder that goes away.
+// Files for the tests of the mesh readers and writers.
 #pragma once
 
 #include <exception>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <random>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "course/mesh/file_defects.h"
+#include "course/runner/temporary_folder.h"
 
 namespace course {
 
-class TemporaryFolder {
-public:
-    TemporaryFolder()
-        : path_(std::filesystem::temp_directory_path() /
-                ("course-test-" + std::to_string(std::random_device()()))) {
-        std::filesystem::create_directories(path_);
-    }
-    ~TemporaryFolder() { std::filesystem::remove_all(path_); }
-    TemporaryFolder(const TemporaryFolder&) = delete;
-    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-    const std::filesystem::path& path() const { return path_; }
-
-    /// A file of that text in the folder.
-    std::filesystem::path file(std::string_view text) const {
-        const std::filesystem::path file = path_ / "mesh.txt";
-        std::ofstream(file, std::ios::binary) << text;
-        return file;
-    }
-
-private:
-    std::filesystem::path path_;
-};
+/// A file of that text in the folder.
+inline std::filesystem::path file_of(const TemporaryFolder& folder,
+                                     std::string_view text) {
+    const std::filesystem::path file = folder / "mesh.txt";
+    std::ofstream(file, std::ios::binary) << text;
+    return file;
+}
 
 inline std::string content(const std::filesystem::path& file) {
     std::ifstream in(file, std::ios::binary);
@@ -48,7 +32,7 @@ template <class Read>
 std::vector<FileDefect> defects_of(Read read, std::string_view text) {
     const TemporaryFolder folder;
     try {
-        read(folder.file(text));
+        read(file_of(folder, text));
     } catch (const MeshFileError& error) {
         return error.defects();
     }

@@ -2,11 +2,11 @@
 // said of bad files.
 #include "course/mesh/obj.h"
 
-#include <clocale>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <limits>
+#include <locale>
 #include <random>
 
 #include "course/mesh/generators.h"
@@ -23,7 +23,7 @@ const std::string square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
 
 IndexedMesh read(std::string_view text) {
     const TemporaryFolder folder;
-    return read_obj(folder.file(text));
+    return read_obj(file_of(folder, text));
 }
 
 std::vector<FileDefect> defects(std::string_view text) {
@@ -39,8 +39,8 @@ std::string defect(std::string_view text) {
 
 IndexedMesh round_trip(const IndexedMesh& mesh) {
     const TemporaryFolder folder;
-    write_obj(folder.path() / "mesh.obj", mesh);
-    return read_obj(folder.path() / "mesh.obj");
+    write_obj(folder / "mesh.obj", mesh);
+    return read_obj(folder / "mesh.obj");
 }
 
 /// A polygon of n sides, as text.
@@ -51,6 +51,13 @@ std::string polygon(int n) {
     for (int v = 1; v <= n; ++v) text += " " + std::to_string(v);
     return text + "\n";
 }
+
+/// Numbers as 1.234,5.
+struct DecimalComma : std::numpunct<char> {
+    char do_decimal_point() const override { return ','; }
+    char do_thousands_sep() const override { return '.'; }
+    std::string do_grouping() const override { return "\3"; }
+};
 
 bool same_bits(double a, double b) {
     return std::memcmp(&a, &b, sizeof a) == 0;
@@ -155,16 +162,20 @@ TEST_CASE("an empty OBJ file is an empty mesh, vertices alone a point cloud") {
 }
 
 TEST_CASE("coordinates are the nearest doubles, whatever the locale") {
-    // Two numbers of six digits, on which the parser behind is off by a bit.
-    const char* const before = std::setlocale(LC_ALL, nullptr);
-    const std::string saved = before;
-    std::setlocale(LC_ALL, "de_DE.UTF-8");  // a decimal comma, where installed
-    const IndexedMesh mesh = read("v 0.979434 -0.743506 1e-310\nv +1 +.5 -.5");
-    std::setlocale(LC_ALL, saved.c_str());
+    const TemporaryFolder folder;
+    const std::filesystem::path file =
+        file_of(folder, "v 0.979434 -0.743506 1e-310\nv +1 +.5 -1234.5");
+    const std::locale saved = std::locale::global(
+        std::locale(std::locale::classic(), new DecimalComma));
+    const IndexedMesh mesh = read_obj(file);
+    write_obj(folder / "back.obj", mesh);
+    std::locale::global(saved);
+    CHECK(content(folder / "back.obj") ==
+          "v 0.979434 -0.743506 1e-310\nv 1 0.5 -1234.5\n");
     CHECK(same_bits(mesh.positions[0].x, 0.979434));
     CHECK(same_bits(mesh.positions[0].y, -0.743506));
     CHECK(same_bits(mesh.positions[0].z, 1e-310));
-    CHECK(mesh.positions[1] == Vec3{1, 0.5, -0.5});
+    CHECK(mesh.positions[1] == Vec3{1, 0.5, -1234.5});
 }
 
 TEST_CASE("a coordinate that is no finite number is reported, not read as 0") {
@@ -244,13 +255,24 @@ TEST_CASE("faces of fewer than three corners are reported, not dropped") {
     CHECK(defect(square + "l 1\n") == "5: l has 1 corner, expected at least 2");
 }
 
+TEST_CASE("what says nothing about vertices, faces and lines is passed over") {
+    const IndexedMesh expected = read(square + "f 1 2 3\n");
+    for (const char* keyword :
+         {"vp", "p", "g", "s", "o", "mg", "lod", "usemtl", "mtllib", "usemap",
+          "maplib", "bevel", "c_interp", "d_interp", "shadow_obj",
+          "trace_obj"}) {
+        CAPTURE(keyword);
+        CHECK(read(square + keyword + " 1\n" + "f 1 2 3\n") == expected);
+    }
+}
+
 TEST_CASE("unknown keywords are reported") {
     CHECK(defect("face 1 2 3\n") == "1: `face` is no keyword known here");
     CHECK(defect("V 1 2 3\n") == "1: `V` is no keyword known here");
     CHECK(defect("surf 0 1 0 1 1 2 3 4\n") ==
           "1: `surf` is no keyword known here");
-    CHECK(defect(std::string("\x89PNG\x1b[2J, and so on and on\n")) ==
-          "1: `?PNG?[2J,` is no keyword known here");
+    CHECK(defect(std::string("\x89PNG\x1b[2J\x7f, and so on\n")) ==
+          "1: `?PNG?[2J?,` is no keyword known here");
     CHECK(defect(std::string(100, 'x')) ==
           "1: `xxxxxxxxxxxxxxxxxxxxxxxx...` is no keyword known here");
     CHECK(defect(square + std::string("f 1 2 3\0 4\n", 11)) ==
@@ -274,7 +296,7 @@ TEST_CASE("all defects are reported, by line, each with its file") {
     for (const FileDefect& d : defects(text)) lines.push_back(d.line);
     CHECK(lines == std::vector<int>{1, 2, 4, 4, 5, 5, 6, 7, 9, 9, 10});
     const TemporaryFolder folder;
-    const std::filesystem::path file = folder.file(text);
+    const std::filesystem::path file = file_of(folder, text);
     const std::string message = message_of([&] { read_obj(file); });
     CHECK(contains(message, file.string() + ":1: v: `zero` is not a number\n" +
                                 file.string() + ":2: v has 2 numbers"));
@@ -283,7 +305,7 @@ TEST_CASE("all defects are reported, by line, each with its file") {
 
 TEST_CASE("a file that is not there or is a folder is reported by name") {
     const TemporaryFolder folder;
-    const std::filesystem::path missing = folder.path() / "missing.obj";
+    const std::filesystem::path missing = folder / "missing.obj";
     CHECK(contains(message_of([&] { read_obj(missing); }),
                    missing.string() + ": cannot be read: "));
     CHECK(contains(message_of([&] { read_obj(folder.path()); }),
@@ -329,13 +351,13 @@ TEST_CASE("positions survive a round trip to the last bit") {
 TEST_CASE(
     "an OBJ file is written with indices from 1 and the shortest digits") {
     const TemporaryFolder folder;
-    const std::filesystem::path file = folder.path() / "mesh.obj";
-    IndexedMesh mesh{{{0, 0.1, -2}, {1, 0, 0}, {1e30, 1, 0}, {0, 1, 0}},
+    const std::filesystem::path file = folder / "mesh.obj";
+    IndexedMesh mesh{{{0.1, 0.2, -0.3}, {1, 0, 0}, {1e30, 1, 0}, {0, 1, 0}},
                      {{0, 1, 2}},
                      {{{2, 3}}}};
     write_obj(file, mesh);
     CHECK(content(file) ==
-          "v 0 0.1 -2\nv 1 0 0\nv 1e+30 1 0\nv 0 1 0\nf 1 2 3\nl 3 4\n");
+          "v 0.1 0.2 -0.3\nv 1 0 0\nv 1e+30 1 0\nv 0 1 0\nf 1 2 3\nl 3 4\n");
     mesh.positions[0] = {5, 5, 5};
     write_obj(file, mesh);
     CHECK(read_obj(file) == mesh);
@@ -345,12 +367,12 @@ TEST_CASE(
 
 TEST_CASE("a failed write leaves the old file and nothing else") {
     const TemporaryFolder folder;
-    const std::filesystem::path taken = folder.path() / "taken";
+    const std::filesystem::path taken = folder / "taken";
     std::filesystem::create_directories(taken / "inside");
     CHECK_THROWS_AS(write_obj(taken, icosphere(0)), MeshFileError);
-    CHECK(contains(
-        message_of([&] { write_obj(folder.path() / "no" / "mesh.obj", {}); }),
-        "mesh.obj: cannot be written: "));
+    CHECK(
+        contains(message_of([&] { write_obj(folder / "no" / "mesh.obj", {}); }),
+                 "mesh.obj: cannot be written: "));
     CHECK(std::distance(std::filesystem::directory_iterator(folder.path()),
                         {}) == 1);
 }
@@ -362,7 +384,7 @@ TEST_CASE("meshes that no file can hold are refused, and no file appears") {
     const auto refuses = [&](auto spoil, const char* message) {
         IndexedMesh mesh = good;
         spoil(mesh);
-        CHECK_THROWS_WITH(write_obj(folder.path() / "mesh.obj", mesh), message);
+        CHECK_THROWS_WITH(write_obj(folder / "mesh.obj", mesh), message);
     };
     refuses([](IndexedMesh& m) { m.positions[1].y = std::nan(""); },
             "vertex 1 is at (1, nan, 0), expected finite numbers");
@@ -383,5 +405,5 @@ TEST_CASE("meshes that no file can hold are refused, and no file appears") {
         "loose edge 1 names vertex -1, but the mesh has 3 vertices, from "
         "0");
     CHECK(std::filesystem::is_empty(folder.path()));
-    CHECK_NOTHROW(write_obj(folder.path() / "mesh.obj", good));
+    CHECK_NOTHROW(write_obj(folder / "mesh.obj", good));
 }

@@ -18,7 +18,7 @@ const std::string square = "OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n";
 
 IndexedMesh read(std::string_view text) {
     const TemporaryFolder folder;
-    return read_off(folder.file(text));
+    return read_off(file_of(folder, text));
 }
 
 std::vector<std::string> defects(std::string_view text) {
@@ -32,8 +32,8 @@ using Texts = std::vector<std::string>;
 
 IndexedMesh round_trip(const IndexedMesh& mesh) {
     const TemporaryFolder folder;
-    write_off(folder.path() / "mesh.off", mesh);
-    return read_off(folder.path() / "mesh.off");
+    write_off(folder / "mesh.off", mesh);
+    return read_off(folder / "mesh.off");
 }
 
 }  // namespace
@@ -155,15 +155,15 @@ TEST_CASE("bad faces of an OFF file are reported, all of them") {
 TEST_CASE("a missing OFF file is reported by name") {
     const TemporaryFolder folder;
     const std::string message =
-        message_of([&] { read_off(folder.path() / "missing.off"); });
+        message_of([&] { read_off(folder / "missing.off"); });
     CHECK(contains(message, "missing.off: cannot be read: "));
     CHECK_THROWS_AS(read_off(folder.path()), MeshFileError);
 }
 
 TEST_CASE("an OFF file is written with counts, and survives a round trip") {
     const TemporaryFolder folder;
-    write_off(folder.path() / "mesh.off", zoo::lens().mesh);
-    CHECK(content(folder.path() / "mesh.off") ==
+    write_off(folder / "mesh.off", zoo::lens().mesh);
+    CHECK(content(folder / "mesh.off") ==
           "OFF\n5 2 0\n0 -2 0\n1.5 0 0\n0 2 0\n0 0 0\n-1.5 0 0\n"
           "4 0 1 2 3\n4 0 3 2 4\n");
     for (const Fixture& fixture : zoo::with_table()) {
@@ -179,11 +179,11 @@ TEST_CASE("an OFF file is written with counts, and survives a round trip") {
 TEST_CASE("a mesh that OFF cannot hold is refused, and no file appears") {
     const TemporaryFolder folder;
     CHECK_THROWS_WITH(
-        write_off(folder.path() / "mesh.off", zoo::dangling().mesh),
+        write_off(folder / "mesh.off", zoo::dangling().mesh),
         "the mesh has 1 loose edges, for which OFF has no form; OBJ has");
     IndexedMesh mesh = zoo::lens().mesh;
     mesh.positions[0].x = std::nan("");
-    CHECK_THROWS_AS(write_off(folder.path() / "mesh.off", mesh),
+    CHECK_THROWS_AS(write_off(folder / "mesh.off", mesh),
                     std::invalid_argument);
     CHECK(std::filesystem::is_empty(folder.path()));
 }

@@ -8,8 +8,9 @@
 namespace grader {
 
 void JudgingOptions::add_to(CLI::App& app) {
-    app.add_option("--jobs", jobs,
-                   "submissions judged at the same time (default: one per core)")
+    app.add_option(
+           "--jobs", jobs,
+           "submissions judged at the same time (default: one per core)")
         ->check(CLI::Range(1, 64));
     app.add_option("--seed", seed,
                    "seed of renumbered and generated meshes (default 1)");
@@ -22,9 +23,9 @@ Bench::Bench(const JudgingOptions& options)
     : isolation_(Isolation::none),
       jobs_(options.jobs > 0
                 ? options.jobs
-                : std::clamp(static_cast<int>(
-                             std::thread::hardware_concurrency()),
-                         1, 64)) {
+                : std::clamp(
+                      static_cast<int>(std::thread::hardware_concurrency()), 1,
+                      64)) {
     if (options.without_sandbox) return;
     const Probe tried = probe(stage_);
     if (tried.isolation == Isolation::none)

@@ -32,8 +32,7 @@ void print_json(const course::Exercise& exercise,
         object["cases"].push_back(
             {{"name", c.info.name},
              {"verdict", name(c.verdict)},
-             {"points",
-              c.verdict == Verdict::accepted ? c.info.points : 0.0}});
+             {"points", c.verdict == Verdict::accepted ? c.info.points : 0.0}});
     object["message"] = result.message;
     fmt::print("{}\n", object.dump(2, ' ', false,
                                    nlohmann::json::error_handler_t::replace));
@@ -56,11 +55,9 @@ int exit_code(Verdict verdict) {
 }
 
 int judge_command(const Options& options) {
-    const course::Exercise exercise =
-        course::exercise_named(options.exercise);
+    const course::Exercise exercise = course::exercise_named(options.exercise);
     if (!std::filesystem::is_regular_file(options.file))
-        throw CannotBegin(
-            fmt::format("{} is no file", options.file.string()));
+        throw CannotBegin(fmt::format("{} is no file", options.file.string()));
     const Bench bench(options.judging);
     const auto workplace = bench.workplace(0);
     const course::ExerciseResult result = course::judge_submission(

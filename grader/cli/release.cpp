@@ -14,8 +14,9 @@ namespace {
 namespace fs = std::filesystem;
 
 /// What of the top level a student gets; everything else stays here.
-constexpr const char* released[] = {"CMakeLists.txt", "course", "exercises",
-                                    "data", ".clang-format", ".gitignore"};
+constexpr const char* released[] = {"CMakeLists.txt", "course",
+                                    "exercises",      "data",
+                                    ".clang-format",  ".gitignore"};
 
 /// Of data/, what holds submissions is not for students.
 bool is_withheld(const fs::path& path) {
@@ -70,9 +71,10 @@ int release_command(const fs::path& dir) {
     write_readme(making / "README.md");
     if (fs::exists(dir)) fs::remove(dir);
     fs::rename(making, dir);
-    fmt::print("The student's copy is in {}: {} exercises, no solutions, "
-               "nothing of the grader.\n",
-               dir.string(), course::all_exercises().size());
+    fmt::print(
+        "The student's copy is in {}: {} exercises, no solutions, "
+        "nothing of the grader.\n",
+        dir.string(), course::all_exercises().size());
     return 0;
 }
 

@@ -33,7 +33,9 @@ struct Options {
 
 std::atomic<bool> interrupted = false;
 
-void on_interrupt(int) { interrupted = true; }
+void on_interrupt(int) {
+    interrupted = true;
+}
 
 /// One line at the terminal that is written over again and again.
 class ProgressLine {
@@ -106,9 +108,10 @@ void print_summary(const ClassRunResult& done, const Options& options) {
                    done.unchanged);
     fmt::print("{} submissions were graded.\n", done.judged);
     if (done.faults > 0)
-        fmt::print("{} ended in a grader fault, which is no grade: run the "
-                   "command again to retry them.\n",
-                   done.faults);
+        fmt::print(
+            "{} ended in a grader fault, which is no grade: run the "
+            "command again to retry them.\n",
+            done.faults);
     fmt::print("\nReport:     {}\nGrades:     {}\nPer student: {}\n",
                (options.out / "report.html").string(),
                (options.out / "grades.csv").string(),
@@ -152,8 +155,9 @@ int run_command(const Options& options) {
     fmt::print("{}\n", class_table(results, colour_of(STDOUT_FILENO)));
     print_summary(done, options);
     if (done.stopped) {
-        fmt::print("Stopped before the end: run the same command again to go "
-                   "on.\n");
+        fmt::print(
+            "Stopped before the end: run the same command again to go "
+            "on.\n");
         return 1;
     }
     return has_fault(results) ? 1 : 0;
@@ -167,8 +171,9 @@ void add_run(CLI::App& program, int& code) {
         "run", "Grade a class: a folder with a folder for each student");
     command->add_option("dir", options->dir, "the folder of the class")
         ->required();
-    command->add_option("--out", options->out,
-                        "folder for gradebook, grades and reports")
+    command
+        ->add_option("--out", options->out,
+                     "folder for gradebook, grades and reports")
         ->required();
     command->add_option("--assignment", options->assignment,
                         "which exercises, with which weights (default: all)");

@@ -35,8 +35,8 @@ int show_command(const Options& options) {
         for (const StudentResults& s : results.students)
             ids.push_back(s.student.id);
         throw CannotBegin(fmt::format(
-            "{} has no student \"{}\"{}", options.out.string(),
-            options.student, course::did_you_mean(options.student, ids)));
+            "{} has no student \"{}\"{}", options.out.string(), options.student,
+            course::did_you_mean(options.student, ids)));
     }
     fmt::print("{}", student_text(results, *student, colour_of(STDOUT_FILENO)));
     return 0;

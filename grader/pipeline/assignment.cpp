@@ -100,10 +100,11 @@ private:
         else if (key == "exercises")
             read_exercises(value);
         else
-            wrong(key.source().begin,
-                  fmt::format("'{}' is not a key; expected name, "
-                              "hidden_feedback or [exercises]{}",
-                              key.str(), course::did_you_mean(key.str(), keys)));
+            wrong(
+                key.source().begin,
+                fmt::format("'{}' is not a key; expected name, "
+                            "hidden_feedback or [exercises]{}",
+                            key.str(), course::did_you_mean(key.str(), keys)));
     }
 
     void read_name(const toml::node& value) {

@@ -25,7 +25,8 @@ using course::Verdict;
 constexpr int tries = 3;
 
 std::string now() {
-    return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
+    return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}",
+                       fmt::gmtime(std::time(nullptr)));
 }
 
 std::string full_name(const Exercise& exercise) {
@@ -62,8 +63,8 @@ public:
     Grading(const ClassRun& run, Gradebook& gradebook)
         : run_(run),
           gradebook_(gradebook),
-          keys_(run.exercises, fmt::format("seed {}, {}", run.seed,
-                                           run.isolation)) {}
+          keys_(run.exercises,
+                fmt::format("seed {}, {}", run.seed, run.isolation)) {}
 
     ClassRunResult go(const WorkplaceMaker& make_workplace,
                       const std::function<void(const Progress&)>& progress,
@@ -133,10 +134,9 @@ void Grading::record(const Task& task, const ExerciseResult& result) {
     if (result.verdict == Verdict::grader_fault) ++result_.faults;
 }
 
-ClassRunResult Grading::go(
-    const WorkplaceMaker& make_workplace,
-    const std::function<void(const Progress&)>& progress,
-    const std::function<bool()>& stop) {
+ClassRunResult Grading::go(const WorkplaceMaker& make_workplace,
+                           const std::function<void(const Progress&)>& progress,
+                           const std::function<bool()>& stop) {
     begin();
     for (const Submission& submission : run_.submitted.submissions)
         if (run_.only.empty() || run_.only == submission.id ||

@@ -18,14 +18,14 @@ namespace grader {
 struct ClassRun {
     std::vector<course::Exercise> exercises;  ///< those of the assignment
     SubmittedClass submitted;
-    std::string only;       ///< id or folder name of one student, or empty
+    std::string only;  ///< id or folder name of one student, or empty
     std::uint64_t seed = 1;
     int jobs = 1;
     std::string isolation;  ///< in words
 };
 
 struct Progress {
-    int done = 0;    ///< of those that have to be judged
+    int done = 0;  ///< of those that have to be judged
     int all = 0;
     int faults = 0;
 };

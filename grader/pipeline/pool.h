@@ -9,8 +9,8 @@ namespace grader {
 /// threads; an item begins only after those before it have begun. Returns when
 /// all are done, or the running ones after stop() has become true. An exception
 /// ends the whole and is thrown again.
-void for_each_item(int lanes, int items,
-                   const std::function<void(int lane, int item)>& work,
-                   const std::function<bool()>& stop = [] { return false; });
+void for_each_item(
+    int lanes, int items, const std::function<void(int lane, int item)>& work,
+    const std::function<bool()>& stop = [] { return false; });
 
 }  // namespace grader

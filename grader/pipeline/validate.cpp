@@ -74,8 +74,8 @@ void look_at_files(Validation& validation) {
     const auto complain = [&](std::string text) {
         validation.complaints.push_back(std::move(text));
     };
-    for (const fs::path& file : {exercise.skeleton(), exercise.statement(),
-                                 solution_of(exercise)})
+    for (const fs::path& file :
+         {exercise.skeleton(), exercise.statement(), solution_of(exercise)})
         if (!fs::exists(file))
             complain("there is no " +
                      fs::relative(file, course::source_root()).string());
@@ -87,9 +87,10 @@ void look_at_files(Validation& validation) {
     const auto todo =
         count(course::read_file(exercise.skeleton()), "TODO(student):");
     if (!exercise.is_data && todo != 1)
-        complain(fmt::format("the skeleton has {} TODO(student): lines, "
-                             "expected 1",
-                             todo));
+        complain(
+            fmt::format("the skeleton has {} TODO(student): lines, "
+                        "expected 1",
+                        todo));
 }
 
 std::vector<Trial> trials_of(std::size_t index, Validation& validation) {
@@ -130,9 +131,8 @@ std::string first_trouble(const ExerciseResult& result) {
         if (c.verdict == Verdict::accepted) continue;
         std::string text = fmt::format("\"{}\"", c.info.name);
         if (!c.failures.empty())
-            text += fmt::format(": {} gave {}, expected {}",
-                                c.failures[0].call, c.failures[0].got,
-                                c.failures[0].expected);
+            text += fmt::format(": {} gave {}, expected {}", c.failures[0].call,
+                                c.failures[0].got, c.failures[0].expected);
         return text;
     }
     return result.message.substr(0, 200);
@@ -171,9 +171,9 @@ void judge_skeleton(Validation& validation, const ExerciseResult& result) {
                        c.verdict == Verdict::accepted;
             });
         if (passes)
-            validation.complaints.push_back(fmt::format(
-                "the skeleton passes the {} suite",
-                which == Visibility::shown ? "public" : "hidden"));
+            validation.complaints.push_back(
+                fmt::format("the skeleton passes the {} suite",
+                            which == Visibility::shown ? "public" : "hidden"));
     }
 }
 
@@ -182,10 +182,10 @@ void judge_wrong(Validation& validation, const Trial& trial) {
         ++validation.wrong_as_expected;
         return;
     }
-    validation.complaints.push_back(fmt::format(
-        "{}: {}, expected {}: {}", trial.file.filename().string(),
-        words(trial.result.verdict), words(trial.expected),
-        first_trouble(trial.result)));
+    validation.complaints.push_back(
+        fmt::format("{}: {}, expected {}: {}", trial.file.filename().string(),
+                    words(trial.result.verdict), words(trial.expected),
+                    first_trouble(trial.result)));
 }
 
 void conclude(Validation& validation, const Trial& trial) {
@@ -194,8 +194,10 @@ void conclude(Validation& validation, const Trial& trial) {
             return judge_reference(validation, trial.result, "in process");
         case Role::reference:
             return judge_reference(validation, trial.result, "in a worker");
-        case Role::skeleton: return judge_skeleton(validation, trial.result);
-        case Role::wrong: return judge_wrong(validation, trial);
+        case Role::skeleton:
+            return judge_skeleton(validation, trial.result);
+        case Role::wrong:
+            return judge_wrong(validation, trial);
     }
 }
 

@@ -16,12 +16,13 @@ namespace grader {
 /// What validation found out about one exercise.
 struct Validation {
     course::Exercise exercise;
-    double max = 0;            ///< points of all its cases
+    double max = 0;  ///< points of all its cases
     int cases = 0;
     std::string skeleton = {};  ///< its verdict and points
-    int wrong = 0;             ///< stored wrong submissions
+    int wrong = 0;              ///< stored wrong submissions
     int wrong_as_expected = 0;
-    std::vector<std::string> complaints = {};  ///< empty when all is as it must be
+    std::vector<std::string> complaints =
+        {};  ///< empty when all is as it must be
 };
 
 /// Makes the workplace of a lane.

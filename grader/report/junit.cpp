@@ -69,8 +69,8 @@ std::string outcome(const TestCase& one) {
 
 std::string test_case_xml(const GradedExercise& exercise, const TestCase& one) {
     return fmt::format(
-        R"(    <testcase classname="{}" name="{}" file="{}" time="0">{}</testcase>)"
-        "\n",
+        R"(    <testcase classname="{}" name="{}" file="{}" time="0">{})"
+        "</testcase>\n",
         escape_xml(short_name(exercise.exercise)), escape_xml(one.name),
         escape_xml(exercise.suite.file), outcome(one));
 }

@@ -19,7 +19,8 @@ constexpr std::string_view style = R"css(
   --amber-tint: #fcefe2;
 }
 * { box-sizing: border-box; }
-html { font-size: 15px; -webkit-print-color-adjust: exact; print-color-adjust: exact; }
+html { font-size: 15px; -webkit-print-color-adjust: exact;
+       print-color-adjust: exact; }
 body {
   margin: 0 auto; padding: 40px 32px 64px; max-width: 1060px;
   color: var(--ink); background: #fff;
@@ -69,11 +70,13 @@ thead th { font-size: 0.87rem; font-weight: 600; color: var(--soft);
 .alert { margin: 24px 0 0; padding: 14px 18px; background: var(--amber-tint);
          border-left: 5px solid var(--amber); }
 .alert ul { margin: 6px 0 0; padding-left: 20px; }
-.v { display: inline-block; min-width: 1.8rem; padding: 0 4px; border-radius: 3px;
+.v { display: inline-block; min-width: 1.8rem; padding: 0 4px;
+     border-radius: 3px;
      text-align: center; font-size: 0.77rem; line-height: 1.13rem;
      font-weight: 650; border: 1px solid var(--line); color: var(--soft);
      background: #fff; }
-.v.ok { color: var(--blue); border-color: #a9c3de; background: var(--blue-tint); }
+.v.ok { color: var(--blue); border-color: #a9c3de;
+        background: var(--blue-tint); }
 .v.bad { color: var(--amber); border-color: #e2b78f;
          background: var(--amber-tint); }
 .v.fault { color: #fff; background: var(--ink); border-color: var(--ink); }

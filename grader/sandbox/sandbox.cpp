@@ -42,7 +42,8 @@ Descriptor open_file(const fs::path& file, int flags) {
 }
 
 /// For the user of the lane, who is not the grader's.
-void let_others_read(const fs::path& folder, const std::vector<fs::path>& files) {
+void let_others_read(const fs::path& folder,
+                     const std::vector<fs::path>& files) {
     fs::permissions(folder, fs::perms(0711));
     for (const fs::path& file : files) fs::permissions(file, fs::perms(0644));
 }
@@ -71,11 +72,12 @@ constexpr int blocks = 64;
 constexpr int block_size = 64;
 
 std::pair<Descriptor, int> lock_users() {
+    fs::create_directories("/run/lock");
     for (int block = 0; block < blocks; ++block) {
         const std::string name =
             fmt::format("/run/lock/half-edge-grader-{}", block);
-        Descriptor file(::open(name.c_str(),
-                               O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0600));
+        Descriptor file(::open(
+            name.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0600));
         if (!file) course::throw_errno("cannot open " + name);
         if (::flock(file.get(), LOCK_EX | LOCK_NB) == 0)
             return {std::move(file), first_block + block * block_size};
@@ -89,7 +91,7 @@ std::pair<Descriptor, int> lock_users() {
 Arguments as_user(const Stage& stage, int slot) {
     if (::geteuid() != 0) return {};
     const std::string user = std::to_string(stage.first_user() + slot);
-    return {"setpriv",      "--reuid=" + user, "--regid=" + user,
+    return {"setpriv",        "--reuid=" + user, "--regid=" + user,
             "--clear-groups", "--no-new-privs",  "--"};
 }
 
@@ -102,8 +104,10 @@ struct StepLimits {
 
 Arguments limited(const StepLimits& limits) {
     Arguments list = {"prlimit", "--core=0", "--nofile=128",
-                      fmt::format("--fsize={}", limits.file_mib << 20),
-                      fmt::format("--nproc={}", limits.processes)};
+                      fmt::format("--fsize={}", limits.file_mib << 20)};
+    // Counted by user: of an ordinary user it would count the whole desktop.
+    if (::geteuid() == 0)
+        list.push_back(fmt::format("--nproc={}", limits.processes));
     if (limits.cpu_seconds > 0)
         list.push_back(fmt::format("--cpu={}", limits.cpu_seconds));
     if (limits.memory_mib > 0)
@@ -160,10 +164,10 @@ Arguments compile_mounts(const Stage& stage) {
     for (const char* link : {"bin", "lib", "lib64"})
         append(list, {"--symlink", fmt::format("usr/{}", link),
                       fmt::format("/{}", link)});
-    append(list, {"--dev-bind", "/dev/null", "/dev/null", "--size",
-                  std::to_string(64 << 20), "--perms", "0700", "--tmpfs",
-                  "/tmp", "--setenv", "PATH", "/usr/bin", "--setenv", "TMPDIR",
-                  "/tmp"});
+    append(list,
+           {"--dev-bind", "/dev/null", "/dev/null", "--size",
+            std::to_string(64 << 20), "--perms", "0700", "--tmpfs", "/tmp",
+            "--setenv", "PATH", "/usr/bin", "--setenv", "TMPDIR", "/tmp"});
     append(list, read_only(stage.student(), "/student"));
     return list;
 }
@@ -213,7 +217,8 @@ Probe probe(const Stage& stage) {
     command.arguments = as_user(stage, 0);
     append(command.arguments, bubblewrap());
     append(command.arguments, run_mounts(stage));
-    append(command.arguments, {"--remount-ro", "/", "--", "/worker", "--probe"});
+    append(command.arguments,
+           {"--remount-ro", "/", "--", "/worker", "--probe"});
     command.environment = course::plain_environment();
     try {
         const course::Finished tried =
@@ -242,12 +247,10 @@ course::Compiled Sandbox::compile(const course::Exercise& exercise,
     append(command.arguments, limited({10, 2048, 32, 32}));
     append(command.arguments, bubblewrap());
     append(command.arguments, compile_mounts(stage_));
-    append(command.arguments,
-           read_only(copy, "/src/" + exercise.file_name()));
-    append(command.arguments,
-           {"--remount-ro", "/", "--chdir", "/src", "--seccomp", "9",
-            "--json-status-fd", "8", "--", "/bin/sh", "-c",
-            compile_script(exercise)});
+    append(command.arguments, read_only(copy, "/src/" + exercise.file_name()));
+    append(command.arguments, {"--remount-ro", "/", "--chdir", "/src",
+                               "--seccomp", "9", "--json-status-fd", "8", "--",
+                               "/bin/sh", "-c", compile_script(exercise)});
     command.descriptors = {
         {out.get(), 3}, {status.get(), 8}, {filter.get(), 9}};
     const course::Finished finished = course::run(
@@ -273,9 +276,10 @@ course::Process Sandbox::launch(const fs::path& shared,
     append(command.arguments,
            {"--remount-ro", "/", "--chdir", "/", "--as-pid-1", "--seccomp", "9",
             "--", "/worker", "/submission.so"});
-    command.descriptors = {
-        {complaints.get(), 2}, {control.get(), 3}, {strict.get(), 4},
-        {filter.get(), 9}};
+    command.descriptors = {{complaints.get(), 2},
+                           {control.get(), 3},
+                           {strict.get(), 4},
+                           {filter.get(), 9}};
     return course::Process(command);
 }
 

@@ -1,0 +1,318 @@
+// Whole submissions through compiler, worker and judge, as lab runs them: each
+// kind of failure gets its verdict and a message that names it, and the other
+// cases of the same submission are still judged.
+#include "course/runner/judge_submission.h"
+
+#include <fstream>
+
+#include "course/runner/catch2.h"
+#include "course/runner/temporary_folder.h"
+
+using namespace course;
+
+namespace {
+
+const std::string border_case = "a half-edge on the border has no face";
+
+const std::string include_contract =
+    "#include \"exercises/01_traversal/face_sides.h\"\n";
+
+/// The reference, behind these lines at the start of the function.
+std::string right_after(const std::string& lines) {
+    return "int face_sides(const HalfEdgeTable& he, int i) {\n" + lines +
+           "\n    if (he[i].fi == -1) return 0;\n"
+           "    int start = i, sides = 0;\n"
+           "    do { ++sides; i = he[i].next; } while (i != start);\n"
+           "    return sides;\n}\n";
+}
+
+ExerciseResult judged(const std::string& source) {
+    const TemporaryFolder folder;
+    const auto file = folder / "face_sides.cpp";
+    std::ofstream(file) << include_contract << source;
+    LocalWorkplace workplace;
+    return judge_submission(workplace, exercise_named("face_sides"), file,
+                            JudgeKind::lab, 1);
+}
+
+/// The whole first failure of the exercise, and its own message.
+std::string text_of(const ExerciseResult& result) {
+    std::string text = result.message + "\n";
+    for (const CaseResult& c : result.cases)
+        for (const Failure& failure : c.failures)
+            text += failure.call + ": " + failure.got + "\n";
+    return text;
+}
+
+bool contains(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
+/// Both cases fail like this, no point is given, the words are said.
+void check_fails(const std::string& source, Verdict expected,
+                 const std::string& words) {
+    const auto start = Clock::now();
+    const ExerciseResult result = judged(source);
+    INFO(text_of(result));
+    CHECK(result.verdict == expected);
+    CHECK(result.points() == 0);
+    REQUIRE(result.cases.size() == 2);
+    for (const CaseResult& c : result.cases) CHECK(c.verdict == expected);
+    CHECK(contains(text_of(result), words));
+    CHECK(Clock::now() - start < std::chrono::seconds(60));
+}
+
+/// The lines go wrong on the border only: the other case keeps its points.
+void check_fails_on_border(const std::string& lines, Verdict expected,
+                           const std::string& words) {
+    const ExerciseResult result =
+        judged(right_after("    if (he[i].fi == -1) {" + lines + "}"));
+    INFO(text_of(result));
+    CHECK(result.verdict == expected);
+    CHECK(result.points() == 2);
+    for (const CaseResult& c : result.cases)
+        CHECK(c.verdict == (c.info.name.rfind(border_case, 0) == 0
+                                ? expected
+                                : Verdict::accepted));
+    CHECK(contains(text_of(result), words));
+}
+
+}  // namespace
+
+TEST_CASE("a right submission is accepted with all its points") {
+    const ExerciseResult result = judged(right_after(""));
+    INFO(text_of(result));
+    CHECK(result.verdict == Verdict::accepted);
+    CHECK(result.points() == 3);
+    CHECK(result.max() == 3);
+}
+
+TEST_CASE("a wrong answer says call, expected and got, and asks a question") {
+    const ExerciseResult result =
+        judged("int face_sides(const HalfEdgeTable&, int) { return 7; }");
+    CHECK(result.verdict == Verdict::wrong_answer);
+    REQUIRE(result.cases.size() == 2);
+    const CaseResult& first = result.cases[0];
+    REQUIRE_FALSE(first.failures.empty());
+    CHECK(first.failures[0].call == "face_sides(he, 1)");
+    CHECK(first.failures[0].expected == "3");
+    CHECK(first.failures[0].got == "7");
+    CHECK(first.failures[0].mesh.name == "slide");
+    CHECK_FALSE(first.hint.empty());
+}
+
+TEST_CASE("an endless walk is ended by its reads and says where it walks") {
+    check_fails(
+        "int face_sides(const HalfEdgeTable& he, int i) {\n"
+        "    while (true) i = he[he[i].next].next;\n}\n",
+        Verdict::time_limit_exceeded, "line 3");
+}
+
+TEST_CASE("an endless loop that reads nothing is ended by its time") {
+    check_fails(
+        "int face_sides(const HalfEdgeTable&, int) {\n"
+        "    volatile int n = 0;\n    while (true) n = n + 1;\n}\n",
+        Verdict::time_limit_exceeded, "a loop that does not end");
+}
+
+TEST_CASE("an endless loop on the border leaves the other case its points") {
+    check_fails_on_border("volatile int n = 0; while (true) n = n + 1;",
+                          Verdict::time_limit_exceeded, "does not end");
+}
+
+TEST_CASE("he[-1] says index, size, where -1 came from, and the line") {
+    check_fails_on_border("\n    return he[he[i].fi].vi;",
+                          Verdict::run_time_error,
+                          "he[-1] does not exist: the table has 16 "
+                          "half-edges, 0..15. -1 is the value of he[0].fi, "
+                          "read at line 4");
+}
+
+TEST_CASE("the line of he[-1] is that of the student's own file") {
+    check_fails(
+        "int face_sides(const HalfEdgeTable& he, int) {\n\n\n"
+        "    return he[-1].vi;\n}\n",
+        Verdict::run_time_error, "line 5");
+}
+
+TEST_CASE("a null pointer is a run-time error with the last read") {
+    check_fails_on_border("int* p = nullptr; return *p;",
+                          Verdict::run_time_error,
+                          "segmentation fault: it used a bad pointer");
+    check_fails_on_border("int* p = nullptr; return *p;",
+                          Verdict::run_time_error, "he[0] at line 3");
+}
+
+TEST_CASE("a recursion that does not end is a full stack") {
+    check_fails_on_border("return 1 + face_sides(he, i);",
+                          Verdict::run_time_error, "the stack is full");
+    check_fails(
+        "int deep(int n) { volatile int a[64]; a[0] = n;\n"
+        "    return deep(n + 1) + a[0]; }\n"
+        "int face_sides(const HalfEdgeTable&, int i) { return deep(i); }\n",
+        Verdict::run_time_error, "the stack is full");
+}
+
+TEST_CASE("a division by zero is named") {
+    check_fails_on_border("volatile int z = 0; return 9 / z;",
+                          Verdict::run_time_error, "division by zero");
+}
+
+TEST_CASE("an index outside a vector is caught by the library's assertion") {
+    check_fails_on_border("std::vector<int> v; return v[3];",
+                          Verdict::run_time_error, "assertion");
+}
+
+TEST_CASE("exit(0) in the function is no answer") {
+    check_fails("#include <cstdlib>\n" + right_after("    std::exit(0);"),
+                Verdict::run_time_error, "exit(0)");
+    check_fails("#include <unistd.h>\n" + right_after("    _exit(0);"),
+                Verdict::run_time_error, "exit(0)");
+}
+
+TEST_CASE("exit(0) before the first call is no answer") {
+    check_fails(
+        "#include <cstdlib>\n"
+        "struct Quit { Quit() { std::exit(0); } } quit;\n" +
+            right_after(""),
+        Verdict::run_time_error, "exit(0)");
+}
+
+TEST_CASE("exit(0) on the border leaves the other case its points") {
+    check_fails_on_border("__builtin_exit(0);", Verdict::run_time_error,
+                          "exit(0)");
+}
+
+TEST_CASE("a gigabyte of output is ended and the other case is judged") {
+    check_fails_on_border(
+        "for (int n = 0; n < 1 << 30; ++n) __builtin_putchar('x');",
+        Verdict::run_time_error, "printed more than 1024 KiB");
+}
+
+TEST_CASE("a little output does no harm and is kept") {
+    const ExerciseResult result =
+        judged("#include <cstdio>\n" + right_after("    std::puts(\"here\");"));
+    CHECK(result.verdict == Verdict::accepted);
+    REQUIRE_FALSE(result.cases.empty());
+    CHECK(contains(result.cases[0].printed, "here\n"));
+}
+
+TEST_CASE("a hundred gigabytes of memory are not there") {
+    const std::string words = "more than 512 MiB of memory";
+    check_fails_on_border("std::vector<int> v(25'000'000'000); return v[i];",
+                          Verdict::memory_limit_exceeded, words);
+    check_fails_on_border("std::vector<int> v; while (true) v.push_back(i);",
+                          Verdict::memory_limit_exceeded, words);
+    check_fails_on_border(
+        "while (true) {\n"
+        "    void* m = __builtin_malloc(1 << 20);\n"
+        "    *static_cast<volatile char*>(m) = 1;\n}",
+        Verdict::memory_limit_exceeded, words);
+}
+
+TEST_CASE("malloc that gives nothing and is used anyway is a bad pointer") {
+    check_fails_on_border(
+        "void* m = __builtin_malloc(100'000'000'000);\n"
+        "*static_cast<volatile char*>(m) = 1;",
+        Verdict::run_time_error, "bad pointer");
+}
+
+TEST_CASE("whatever is thrown is a run-time error") {
+    check_fails_on_border("throw 7;", Verdict::run_time_error, "int");
+    check_fails("#include <stdexcept>\n" +
+                    right_after("    throw std::runtime_error(\"oh\");"),
+                Verdict::run_time_error, "oh");
+}
+
+TEST_CASE("an exception with the judge's own words forges nothing") {
+    check_fails("#include <stdexcept>\n" +
+                    right_after("    throw std::runtime_error(\"the "
+                                "submission's process failed\");"),
+                Verdict::run_time_error, "process failed");
+}
+
+TEST_CASE("an exception with an endless text is cut") {
+    const ExerciseResult result =
+        judged("#include <stdexcept>\n#include <string>\n" +
+               right_after("    throw std::runtime_error(std::string("
+                           "50'000'000, 'x'));"));
+    CHECK(result.verdict == Verdict::run_time_error);
+    CHECK(text_of(result).size() < 100'000);
+}
+
+TEST_CASE("a function without a return is told so by the compiler") {
+    const ExerciseResult result =
+        judged("int face_sides(const HalfEdgeTable&, int) {}\n");
+    CHECK(result.verdict != Verdict::accepted);
+    CHECK(result.points() == 0);
+    CHECK(contains(result.message, "no return statement"));
+}
+
+TEST_CASE("a missing function is a compile error that names it") {
+    check_fails("int face_side(const HalfEdgeTable&, int) { return 0; }\n",
+                Verdict::compile_error,
+                "the file does not define face_sides(HalfEdgeTable const&, "
+                "int)");
+}
+
+TEST_CASE("a function with another signature is a compile error") {
+    check_fails(
+        "int face_sides(HalfEdgeTable he, int) { return he.size(); }\n"
+        "int face_sides(const HalfEdgeTable&, long) { return 0; }\n",
+        Verdict::compile_error, "parameters that face_sides.h");
+    check_fails("void face_sides(const HalfEdgeTable&, int) {}\n",
+                Verdict::compile_error, "ambiguating");
+}
+
+TEST_CASE("what does not compile shows the compiler's words and line") {
+    check_fails(
+        "int face_sides(const HalfEdgeTable& he, int i) {\n"
+        "    return he[i].nxt;\n}\n",
+        Verdict::compile_error, "face_sides.cpp:3:");
+    check_fails(
+        "int face_sides(const HalfEdgeTable& he, int i) {\n"
+        "    return he[i].nxt;\n}\n",
+        Verdict::compile_error, "nxt");
+}
+
+TEST_CASE("the warnings of a file that compiles are kept") {
+    const ExerciseResult result =
+        judged(right_after("    { int i = 0; (void)i; }"));
+    CHECK(result.verdict == Verdict::accepted);
+    CHECK(contains(result.message, "shadows a parameter"));
+}
+
+TEST_CASE("a static vector works, and is new in each case") {
+    const ExerciseResult result =
+        judged(right_after("    static std::vector<int> calls;\n"
+                           "    calls.push_back(i);\n"
+                           "    if (calls.size() > 3) return -1;"));
+    INFO(text_of(result));
+    CHECK(result.verdict == Verdict::accepted);
+}
+
+TEST_CASE("an empty file, and one of any bytes, are compile errors") {
+    check_fails("", Verdict::compile_error, "does not define face_sides");
+    check_fails(std::string("\0\x01\xff{", 4), Verdict::compile_error, "error");
+}
+
+TEST_CASE("a file that is not there is a compile error, not a crash") {
+    LocalWorkplace workplace;
+    const TemporaryFolder folder;
+    const ExerciseResult result =
+        judge_submission(workplace, exercise_named("face_sides"),
+                         folder / "none.cpp", JudgeKind::lab, 1);
+    CHECK(result.verdict != Verdict::accepted);
+    CHECK(result.points() == 0);
+}
+
+TEST_CASE("an exercise that has no judge is a fault of the grader") {
+    LocalWorkplace workplace;
+    const TemporaryFolder folder;
+    std::ofstream(folder / "x.cpp") << "int x;\n";
+    const Exercise unknown{"01_traversal", "no_such_exercise", false};
+    const ExerciseResult result = judge_submission(
+        workplace, unknown, folder / "x.cpp", JudgeKind::lab, 1);
+    CHECK(result.verdict == Verdict::grader_fault);
+    CHECK_FALSE(result.message.empty());
+}

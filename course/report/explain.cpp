@@ -78,10 +78,9 @@ std::string lines_of(const Failure& failure) {
 std::string plain_text(const CaseResult& result) {
     std::string text;
     if (!result.hint.empty()) text += "Hint: " + result.hint + "\n";
-    for (const Failure& failure : result.failures)
-        text += plain_text(failure);
+    for (const Failure& failure : result.failures) text += plain_text(failure);
     if (!result.printed.empty())
-        text += "It printed:\n" + shortened(result.printed, 4000, 40) + "\n";
+        text += "It printed:\n" + shortened(result.printed, 2000, 30) + "\n";
     return text;
 }
 

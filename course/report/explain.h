@@ -4,8 +4,8 @@
 #include <string>
 #include <string_view>
 
-#include "course/runner/results.h"
 #include "course/report/walk.h"
+#include "course/runner/results.h"
 
 namespace course {
 

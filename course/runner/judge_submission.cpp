@@ -27,11 +27,12 @@ ExerciseResult judge_function(Workplace& workplace, JudgeRun run,
     if (compiled.verdict == Verdict::accepted) {
         DescriptorPair control = socket_pair();
         const Descriptor complaints = anonymous_file();
-        const Process launcher =
-            workplace.launch(shared, control.second, complaints);
+        Process launcher = workplace.launch(shared, control.second, complaints);
         control.second.reset();
         run.control = std::move(control.first);
         result = run_judge(run);
+        run.control.reset();
+        launcher.end_within(std::chrono::seconds(2));
         if (result.verdict == Verdict::grader_fault)
             result.message += "\n" + last_bytes(complaints.get());
     } else {

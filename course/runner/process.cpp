@@ -12,6 +12,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
+#include <thread>
 
 namespace course {
 
@@ -162,6 +163,17 @@ void Process::kill() {
     if (pid_ <= 0) return;
     ::kill(-pid_, SIGKILL);
     ::kill(pid_, SIGKILL);
+}
+
+void Process::end_within(std::chrono::milliseconds most) {
+    const auto until = Clock::now() + most;
+    while (pid_ > 0 && Clock::now() < until) {
+        if (::waitpid(pid_, nullptr, WNOHANG) == pid_) pid_ = -1;
+        if (pid_ > 0)
+            std::this_thread::sleep_for(std::chrono::microseconds(300));
+    }
+    kill();
+    wait();
 }
 
 Finished run(Command command, std::chrono::milliseconds most,

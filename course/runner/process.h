@@ -40,6 +40,12 @@ public:
     /// Ends it at once; harmless when it has ended.
     void kill();
 
+    /// Waits for its end, at most so long, and ends it then. A sandbox that
+    /// ends by itself collects its own processes; one that is killed leaves
+    /// that to the machine's first process, which in a container may never do
+    /// it, and they count against the limit of processes.
+    void end_within(std::chrono::milliseconds most);
+
 private:
     pid_t pid_ = -1;
 };

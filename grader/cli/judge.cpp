@@ -3,9 +3,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include "course/report/explain.h"
+#include "course/report/text.h"
 #include "grader/cli/commands.h"
-#include "grader/report/explain.h"
-#include "grader/report/text.h"
 
 namespace grader {
 
@@ -41,12 +41,13 @@ void print_json(const course::Exercise& exercise,
 void print_text(const course::Exercise& exercise,
                 const course::ExerciseResult& result) {
     fmt::print("{}: {}, {} of {} points\n", exercise.name,
-               words(result.verdict), points_text(result.points()),
-               points_text(result.max()));
+               words(result.verdict), course::points_text(result.points()),
+               course::points_text(result.max()));
     for (const auto& c : result.cases)
         fmt::print("\n{}: {}\n{}", words(c.verdict), c.info.name,
                    c.verdict == Verdict::accepted ? "" : plain_text(c));
-    if (!result.message.empty()) fmt::print("\n{}\n", visible(result.message));
+    if (!result.message.empty())
+        fmt::print("\n{}\n", course::visible(result.message));
 }
 
 int exit_code(Verdict verdict) {

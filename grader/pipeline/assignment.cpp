@@ -172,9 +172,7 @@ private:
     }
 
     std::optional<double> weight_of(const toml::node& node) {
-        // Not value<double>(): that would take true for 1.
-        const std::optional<double> weight =
-            node.is_number() ? node.value<double>() : std::nullopt;
+        const auto weight = node.value<double>();
         if (weight && *weight > 0 && *weight <= largest_weight) return weight;
         wrong(node.source().begin,
               fmt::format("the weight is {}; expected a number above 0 and at "

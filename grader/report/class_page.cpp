@@ -4,9 +4,9 @@
 #include <map>
 #include <utility>
 
-#include "grader/report/explain.h"
+#include "course/report/explain.h"
+#include "course/report/text.h"
 #include "grader/report/page.h"
-#include "grader/report/text.h"
 
 namespace grader {
 
@@ -39,7 +39,7 @@ std::string mean_text(const std::vector<double>& all) {
     if (all.empty()) return "–";
     double sum = 0;
     for (const double share : all) sum += share;
-    return percent_text(sum, static_cast<double>(all.size())) + " %";
+    return course::percent_text(sum, static_cast<double>(all.size())) + " %";
 }
 
 std::string median_text(const std::vector<double>& sorted) {
@@ -48,7 +48,7 @@ std::string median_text(const std::vector<double>& sorted) {
     const double median = sorted.size() % 2 == 1
                               ? sorted[half]
                               : (sorted[half - 1] + sorted[half]) / 2;
-    return percent_text(median, 1) + " %";
+    return course::percent_text(median, 1) + " %";
 }
 
 int students_with(const ClassResults& results, Status wanted) {
@@ -107,7 +107,7 @@ Html one_fault(const StudentResults& student, const std::string& exercise,
                const std::string& message) {
     return markup("<li><b><bdi>{}</bdi></b>, {}: {}</li>\n",
                   student.student.name, short_name(exercise),
-                  shortened(message, 600, 6));
+                  course::shortened(message, 600, 6));
 }
 
 Html faults(const ClassResults& results) {
@@ -193,7 +193,7 @@ Html score(const Result& result) {
     if (!result) return badge_not_judged();
     if (!was_judged(result)) return badge(result->verdict);
     return markup("{}<small>{}</small>", badge(result->verdict),
-                  points_text(result->points()));
+                  course::points_text(result->points()));
 }
 
 Html total_cells(const ClassResults& results, const StudentResults& student) {
@@ -202,7 +202,8 @@ Html total_cells(const ClassResults& results, const StudentResults& student) {
         return markup(R"(<td class="n first" colspan="2">{}</td>)",
                       words(status(student)));
     return markup(R"(<td class="n first"><b>{}</b></td><td class="n">{}</td>)",
-                  points_text(*sum.total), percent_text(*sum.total, sum.max));
+                  course::points_text(*sum.total),
+                  course::percent_text(*sum.total, sum.max));
 }
 
 Html student_row(const ClassResults& results, const StudentResults& student,
@@ -224,10 +225,11 @@ Html mean_row(const ClassResults& results, Columns columns) {
     for (std::size_t k = columns.first; k < columns.last; ++k)
         row += markup(R"(<td class="score {}">{}</td>)",
                       begins_chapter(results, columns, k) ? "first" : "",
-                      points_text(max_points(results, k)));
+                      course::points_text(max_points(results, k)));
     return markup(R"({}<td class="n first">{}</td><td class="n">100</td></tr>)"
                   "\n",
-                  row, points_text(total(results, results.students[0]).max));
+                  row,
+                  course::points_text(total(results, results.students[0]).max));
 }
 
 Html class_table(const ClassResults& results, Columns columns) {
@@ -369,8 +371,9 @@ Html cases_section(const ClassResults& results) {
 Html note_rows(const Html& whose, const std::vector<std::string>& notes) {
     Html rows;
     for (std::size_t k = 0; k < notes.size(); ++k)
-        rows += markup("<tr><td>{}</td><td>{}</td></tr>\n",
-                       k == 0 ? whose : Html(), shortened(notes[k], 2000, 10));
+        rows +=
+            markup("<tr><td>{}</td><td>{}</td></tr>\n", k == 0 ? whose : Html(),
+                   course::shortened(notes[k], 2000, 10));
     return rows;
 }
 
@@ -398,7 +401,7 @@ Html suite_rows(const ClassResults& results) {
             R"(<td class="n">{}</td><td class="mono">{}</td></tr>)"
             "\n",
             short_name(one.exercise), one.suite.file,
-            points_text(one.suite.max), points_text(one.weight),
+            course::points_text(one.suite.max), course::points_text(one.weight),
             one.suite.version);
     return rows;
 }
@@ -460,8 +463,8 @@ Html class_page(const ClassResults& results) {
                      R"(<time>{}</time></p>
 <h1>{}</h1></header>
 {}{}{}{}{}{}{})",
-                     time_text(results.run.started_at), name, faults(results),
-                     numbers(results), class_section(results),
+                     course::time_text(results.run.started_at), name,
+                     faults(results), numbers(results), class_section(results),
                      chart_section(results), cases_section(results),
                      files_section(results), run_section(results)));
 }

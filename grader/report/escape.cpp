@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "grader/report/text.h"
+#include "course/report/text.h"
 
 namespace grader {
 
@@ -22,7 +22,7 @@ bool looks_like_formula(std::string_view text) {
 
 std::string on_one_line(std::string_view text) {
     std::string line;
-    for (const char c : visible(text)) {
+    for (const char c : course::visible(text)) {
         if (c == '\n')
             line += "\\n";
         else if (c == '\t')
@@ -37,7 +37,7 @@ std::string on_one_line(std::string_view text) {
 
 std::string escape_html(std::string_view text) {
     std::string escaped;
-    for (const char c : visible(text)) {
+    for (const char c : course::visible(text)) {
         switch (c) {
             case '&':
                 escaped += "&amp;";
@@ -83,7 +83,7 @@ std::string escape_terminal(std::string_view text) {
 }
 
 std::string escape_json(std::string_view text) {
-    return visible(text);
+    return course::visible(text);
 }
 
 }  // namespace grader

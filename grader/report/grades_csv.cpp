@@ -1,7 +1,7 @@
 #include "grader/report/grades_csv.h"
 
+#include "course/report/text.h"
 #include "grader/report/escape.h"
-#include "grader/report/text.h"
 
 namespace grader {
 
@@ -9,15 +9,15 @@ namespace {
 
 std::string cell(const std::optional<course::ExerciseResult>& result) {
     const auto value = points(result);
-    return value ? points_text(*value) : "";
+    return value ? course::points_text(*value) : "";
 }
 
 std::string line(const ClassResults& results, const StudentResults& student) {
     const Total sum = total(results, student);
     std::string text = escape_csv(student.student.name);
-    text += "," + (sum.total ? points_text(*sum.total) : "");
-    text += "," + points_text(sum.max);
-    text += "," + (sum.total ? percent_text(*sum.total, sum.max) : "");
+    text += "," + (sum.total ? course::points_text(*sum.total) : "");
+    text += "," + course::points_text(sum.max);
+    text += "," + (sum.total ? course::percent_text(*sum.total, sum.max) : "");
     text += "," + std::string(words(status(student)));
     for (const auto& result : student.exercises) text += "," + cell(result);
     return text + "\n";

@@ -5,10 +5,10 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "course/report/explain.h"
+#include "course/report/text.h"
 #include "grader/report/escape.h"
-#include "grader/report/explain.h"
 #include "grader/report/feedback.h"
-#include "grader/report/text.h"
 
 namespace grader {
 
@@ -59,7 +59,7 @@ Json case_test(const GradedExercise& exercise, const CaseResult& result,
 Json file_test(const GradedExercise& exercise, const ExerciseResult& result,
                const std::string& number) {
     const Verdict verdict = verdict_of_file(result);
-    std::string output = shortened(result.message, 8000, 100);
+    std::string output = course::shortened(result.message, 8000, 100);
     if (verdict != Verdict::accepted)
         output = fmt::format("{}\n{}", explanation(verdict), output);
     return test(std::string(short_name(exercise.exercise)), number, verdict,

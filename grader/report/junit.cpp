@@ -6,10 +6,10 @@
 #include <utility>
 #include <vector>
 
+#include "course/report/explain.h"
+#include "course/report/text.h"
 #include "grader/report/escape.h"
-#include "grader/report/explain.h"
 #include "grader/report/feedback.h"
-#include "grader/report/text.h"
 
 namespace grader {
 
@@ -37,7 +37,7 @@ std::vector<TestCase> test_cases(const ExerciseResult& result) {
     // Compiler messages belong to no case.
     if (result.cases.empty() || !result.message.empty())
         all.push_back({"the file as a whole", verdict_of_file(result),
-                       shortened(result.message, 8000, 100)});
+                       course::shortened(result.message, 8000, 100)});
     for (const CaseResult& one : result.cases)
         all.push_back({one.info.name, one.verdict, plain_text(one)});
     std::map<std::string, int> times;

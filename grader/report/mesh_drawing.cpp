@@ -110,8 +110,10 @@ std::optional<Layout> by_positions(const std::vector<Vec3>& positions,
 /// One drawing while it is made.
 class Drawing {
 public:
-    Drawing(const Rows& rows, Layout layout, const Walk& walk)
-        : rows_(rows), layout_(std::move(layout)), order_(walk_order(walk)) {}
+    Drawing(const Rows& rows, Layout layout, const course::Walk& walk)
+        : rows_(rows),
+          layout_(std::move(layout)),
+          order_(course::walk_order(walk)) {}
 
     Html draw(std::string_view name) {
         faces();
@@ -294,7 +296,7 @@ private:
 
 }  // namespace
 
-Html mesh_drawing(const course::MeshPicture& mesh, const Walk& walk) {
+Html mesh_drawing(const course::MeshPicture& mesh, const course::Walk& walk) {
     const int count = vertex_count(mesh.rows);
     if (count == 0 || mesh.rows.size() > most_drawn_half_edges) return {};
     const auto vertices = static_cast<std::size_t>(count);

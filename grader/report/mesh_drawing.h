@@ -2,9 +2,9 @@
 // half-edge, on its own side of the edge, with its number.
 #pragma once
 
+#include "course/report/walk.h"
 #include "course/runner/results.h"
 #include "grader/report/html.h"
-#include "grader/report/walk.h"
 
 namespace grader {
 
@@ -15,6 +15,6 @@ inline constexpr std::size_t most_drawn_half_edges = 60;
 /// when the picture has no rows or too many. Positions in space are projected;
 /// without usable ones the vertices lie on a circle. The table may be broken
 /// in any way: what has no place is left out.
-Html mesh_drawing(const course::MeshPicture& mesh, const Walk& walk);
+Html mesh_drawing(const course::MeshPicture& mesh, const course::Walk& walk);
 
 }  // namespace grader

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 
-#include "grader/report/explain.h"
+#include "course/report/explain.h"
+#include "course/report/text.h"
 #include "grader/report/feedback.h"
 #include "grader/report/mesh_drawing.h"
 #include "grader/report/page.h"
-#include "grader/report/text.h"
 
 namespace grader {
 
@@ -24,7 +24,7 @@ Html entry(std::string_view label, std::string_view style,
     if (value.empty()) return {};
     return markup(R"(<dt>{}</dt><dd class="{}">{}</dd>)"
                   "\n",
-                  label, style, shortened(value, 1200, 16));
+                  label, style, course::shortened(value, 1200, 16));
 }
 
 std::string mesh_entry(const course::MeshPicture& mesh, const Html& drawing) {
@@ -32,7 +32,7 @@ std::string mesh_entry(const course::MeshPicture& mesh, const Html& drawing) {
     return mesh.name + " (not drawn: it has too many half-edges)";
 }
 
-std::string caption(const course::MeshPicture& mesh, const Walk& walk) {
+std::string caption(const course::MeshPicture& mesh, const course::Walk& walk) {
     std::string text;
     if (!walk.steps.empty())
         text =
@@ -45,14 +45,14 @@ std::string caption(const course::MeshPicture& mesh, const Walk& walk) {
 }
 
 Html figure(const course::MeshPicture& mesh, const Html& drawing,
-            const Walk& walk) {
+            const course::Walk& walk) {
     if (drawing.text.empty()) return {};
     return markup("<figure>{}<figcaption>{}</figcaption></figure>\n", drawing,
                   caption(mesh, walk));
 }
 
 Html failure_block(const Failure& failure) {
-    const Walk walk = walk_of(failure);
+    const course::Walk walk = course::walk_of(failure);
     const Html drawing = mesh_drawing(failure.mesh, walk);
     return markup(
         R"(<div class="failure">
@@ -75,7 +75,7 @@ Html printed_block(const std::string& printed) {
     if (printed.empty()) return {};
     return markup(R"(<p class="soft small">It printed:</p><pre>{}</pre>)"
                   "\n",
-                  shortened(printed, 2000, 30));
+                  course::shortened(printed, 2000, 30));
 }
 
 Html detail(const CaseResult& result) {
@@ -83,7 +83,7 @@ Html detail(const CaseResult& result) {
     if (!result.hint.empty())
         text += markup(R"(<p class="hint"><b>Hint:</b> {}</p>)"
                        "\n",
-                       shortened(result.hint, 1200, 16));
+                       course::shortened(result.hint, 1200, 16));
     for (const Failure& failure : result.failures)
         text += failure_block(failure);
     text += printed_block(result.printed);
@@ -105,7 +105,8 @@ Html case_item(const CaseResult& result) {
                   hidden
                       ? markup(R"( <span class="soft small">(hidden)</span>)")
                       : Html(),
-                  points_text(earned(result)), points_text(result.info.points),
+                  course::points_text(earned(result)),
+                  course::points_text(result.info.points),
                   passed ? Html() : detail(result));
 }
 
@@ -124,7 +125,7 @@ Html message_block(const GradedExercise& exercise,
                   result.verdict < Verdict::compile_error
                       ? markup("<p>The compiler warns:</p>\n")
                       : Html(),
-                  shortened(result.message, 8000, 100));
+                  course::shortened(result.message, 8000, 100));
 }
 
 Html cases_list(const ExerciseResult& result) {
@@ -138,8 +139,8 @@ Html cases_list(const ExerciseResult& result) {
 
 Html points_of(const std::optional<ExerciseResult>& result, double max) {
     const auto value = points(result);
-    return markup("{} of {}", value ? points_text(*value) : "–",
-                  points_text(max));
+    return markup("{} of {}", value ? course::points_text(*value) : "–",
+                  course::points_text(max));
 }
 
 Html exercise_section(const ClassResults& results,
@@ -178,8 +179,9 @@ Html overview_row(const ClassResults& results, const StudentResults& student,
         result ? words(result->verdict) : "not judged yet",
         bar(max > 0 ? points(result).value_or(0) / max : 0),
         points_of(result, max),
-        is_weighted(results) ? markup(" × {}", points_text(exercise.weight))
-                             : Html());
+        is_weighted(results)
+            ? markup(" × {}", course::points_text(exercise.weight))
+            : Html());
 }
 
 Html overview(const ClassResults& results, const StudentResults& student) {
@@ -198,11 +200,12 @@ Html overview(const ClassResults& results, const StudentResults& student) {
 
 Html headline(const ClassResults& results, const StudentResults& student) {
     const Total sum = total(results, student);
-    const Html grade =
-        sum.total ? markup("{} <small>of {} points, {} %</small>",
-                           points_text(*sum.total), points_text(sum.max),
-                           percent_text(*sum.total, sum.max))
-                  : markup("<small>no grade yet</small>");
+    const Html grade = sum.total
+                           ? markup("{} <small>of {} points, {} %</small>",
+                                    course::points_text(*sum.total),
+                                    course::points_text(sum.max),
+                                    course::percent_text(*sum.total, sum.max))
+                           : markup("<small>no grade yet</small>");
     return markup(
         R"(<dl class="numbers">
 <div><dt>total{}</dt><dd>{}</dd></div>
@@ -217,7 +220,7 @@ Html files_section(const StudentResults& student) {
     if (student.student.notes.empty()) return {};
     Html list;
     for (const std::string& note : student.student.notes)
-        list += markup("<li>{}</li>\n", shortened(note, 2000, 10));
+        list += markup("<li>{}</li>\n", course::shortened(note, 2000, 10));
     return markup(R"(<div class="alert"><b>Files that were not taken</b>)"
                   "\n<ul>\n{}</ul></div>\n",
                   list);
@@ -235,7 +238,7 @@ Html student_page(const ClassResults& results, const StudentResults& student) {
         markup(R"(<header><p class="over">{}, graded <time>{}</time></p>
 <h1><bdi>{}</bdi></h1></header>
 {}{}{}{})",
-               assignment, time_text(results.run.started_at),
+               assignment, course::time_text(results.run.started_at),
                student.student.name, headline(results, student),
                files_section(student), overview(results, student), sections));
 }

@@ -9,9 +9,9 @@
 #include <utility>
 #include <vector>
 
+#include "course/report/explain.h"
+#include "course/report/text.h"
 #include "grader/report/escape.h"
-#include "grader/report/explain.h"
-#include "grader/report/text.h"
 
 namespace grader {
 
@@ -42,7 +42,7 @@ std::vector<std::size_t> widths(const std::vector<Row>& rows) {
     for (const Row& row : rows) {
         widest.resize(std::max(widest.size(), row.size()));
         for (std::size_t k = 0; k < row.size(); ++k)
-            widest[k] = std::max(widest[k], width(row[k].text));
+            widest[k] = std::max(widest[k], course::width(row[k].text));
     }
     return widest;
 }
@@ -59,7 +59,7 @@ std::string laid_out(const std::vector<Row>& rows, Colour colour) {
     for (const Row& row : rows) {
         std::string line;
         for (std::size_t k = 0; k < row.size(); ++k) {
-            const std::string gap(widest[k] - width(row[k].text), ' ');
+            const std::string gap(widest[k] - course::width(row[k].text), ' ');
             const std::string cell = painted(row[k], colour);
             const bool left = k == 0 || k + 1 == widest.size();
             line += (k > 0 ? "  " : "") + (left ? cell + gap : gap + cell);
@@ -86,21 +86,22 @@ std::string_view colour_of_verdict(Verdict verdict) {
 Cell exercise_cell(const Result& result) {
     if (!result) return {".."};
     std::string text(mark(result->verdict));
-    if (was_judged(result)) text += " " + points_text(result->points());
+    if (was_judged(result)) text += " " + course::points_text(result->points());
     return {std::move(text), colour_of_verdict(result->verdict)};
 }
 
 Row ended_with_total(Row row, const ClassResults& results,
                      const StudentResults& student) {
     const Total sum = total(results, student);
-    row.push_back({sum.total ? points_text(*sum.total) : "-", bold});
-    row.push_back({sum.total ? percent_text(*sum.total, sum.max) : "-"});
+    row.push_back({sum.total ? course::points_text(*sum.total) : "-", bold});
+    row.push_back(
+        {sum.total ? course::percent_text(*sum.total, sum.max) : "-"});
     row.push_back({std::string(words(status(student)))});
     return row;
 }
 
 Cell name_cell(const StudentResults& student) {
-    return {fitted(escape_terminal(student.student.name), widest_name)};
+    return {course::fitted(escape_terminal(student.student.name), widest_name)};
 }
 
 Row head(std::vector<std::string> names) {
@@ -117,7 +118,7 @@ Row foot(const ClassResults& results, std::vector<std::string> maxima) {
     double sum = 0;
     for (std::size_t k = 0; k < results.exercises.size(); ++k)
         sum += results.exercises[k].weight * max_points(results, k);
-    row.push_back({points_text(sum)});
+    row.push_back({course::points_text(sum)});
     return row;
 }
 
@@ -125,7 +126,7 @@ std::vector<Row> rows_by_exercise(const ClassResults& results) {
     std::vector<std::string> names, maxima;
     for (std::size_t k = 0; k < results.exercises.size(); ++k) {
         names.emplace_back(short_name(results.exercises[k].exercise));
-        maxima.push_back(points_text(max_points(results, k)));
+        maxima.push_back(course::points_text(max_points(results, k)));
     }
     std::vector<Row> rows = {head(names)};
     for (const StudentResults& student : results.students) {
@@ -160,7 +161,7 @@ Cell chapter_cell(const ClassResults& results, const StudentResults& student,
         if (result && result->verdict == Verdict::accepted) ++right;
         sum += points(result).value_or(0);
     }
-    return {fmt::format("{}/{} {}", right, all, points_text(sum)),
+    return {fmt::format("{}/{} {}", right, all, course::points_text(sum)),
             right == all ? green : ""};
 }
 
@@ -172,7 +173,7 @@ std::vector<Row> rows_by_chapter(const ClassResults& results) {
         for (std::size_t k = 0; k < results.exercises.size(); ++k)
             if (chapter(results.exercises[k].exercise) == name)
                 sum += max_points(results, k);
-        maxima.push_back(points_text(sum));
+        maxima.push_back(course::points_text(sum));
     }
     std::vector<Row> rows = {head(names)};
     for (const StudentResults& student : results.students) {
@@ -219,13 +220,14 @@ std::string indented(std::string_view text, std::size_t columns) {
 
 std::string case_text(const CaseResult& result, Colour colour) {
     const bool hidden = result.info.visibility == course::Visibility::hidden;
-    std::string text = fmt::format(
-        "  {} {}{}  {} of {}\n",
-        painted({std::string(mark(result.verdict)),
-                 colour_of_verdict(result.verdict)},
-                colour),
-        escape_terminal(result.info.name), hidden ? " (hidden)" : "",
-        points_text(earned(result)), points_text(result.info.points));
+    std::string text = fmt::format("  {} {}{}  {} of {}\n",
+                                   painted({std::string(mark(result.verdict)),
+                                            colour_of_verdict(result.verdict)},
+                                           colour),
+                                   escape_terminal(result.info.name),
+                                   hidden ? " (hidden)" : "",
+                                   course::points_text(earned(result)),
+                                   course::points_text(result.info.points));
     if (result.verdict != Verdict::accepted)
         text += indented(plain_text(result), 5);
     return text;
@@ -236,13 +238,14 @@ std::string exercise_text(const ClassResults& results, const Result& result,
     const std::string name(short_name(results.exercises[k].exercise));
     if (!result) return fmt::format("\n{}: not judged yet\n", name);
     const auto value = points(result);
-    std::string text = fmt::format(
-        "\n{}: {}, {} of {}\n", painted({name, bold}, colour),
-        painted({std::string(words(result->verdict)),
-                 colour_of_verdict(result->verdict)},
-                colour),
-        value ? points_text(*value) : "-", points_text(max_points(results, k)));
-    text += indented(shortened(result->message, 8000, 60), 2);
+    std::string text =
+        fmt::format("\n{}: {}, {} of {}\n", painted({name, bold}, colour),
+                    painted({std::string(words(result->verdict)),
+                             colour_of_verdict(result->verdict)},
+                            colour),
+                    value ? course::points_text(*value) : "-",
+                    course::points_text(max_points(results, k)));
+    text += indented(course::shortened(result->message, 8000, 60), 2);
     if (has_run(*result))
         for (const CaseResult& one : result->cases)
             text += case_text(one, colour);
@@ -279,8 +282,9 @@ std::string student_text(const ClassResults& results,
         "{} ({})\n{} of {} points, {} %, {}\n",
         painted({escape_terminal(student.student.name), bold}, colour),
         escape_terminal(student.student.id),
-        sum.total ? points_text(*sum.total) : "-", points_text(sum.max),
-        sum.total ? percent_text(*sum.total, sum.max) : "-",
+        sum.total ? course::points_text(*sum.total) : "-",
+        course::points_text(sum.max),
+        sum.total ? course::percent_text(*sum.total, sum.max) : "-",
         words(status(student)));
     for (const std::string& note : student.student.notes)
         text += "note: " + escape_terminal(note) + "\n";

@@ -117,7 +117,9 @@ Arguments limited(const StepLimits& limits) {
     return list;
 }
 
-/// Namespaces of its own for everything, nobody inside, no way up.
+/// Namespaces of its own for everything, nobody inside, no way up. The command
+/// is the first process inside: bubblewrap would put one of its own there, does
+/// not wait for its end, and in a container nobody may collect it.
 Arguments bubblewrap() {
     return {"bwrap",
             "--unshare-user",
@@ -126,6 +128,7 @@ Arguments bubblewrap() {
             "--unshare-ipc",
             "--unshare-uts",
             "--unshare-cgroup-try",
+            "--as-pid-1",
             "--disable-userns",
             "--uid",
             "65534",
@@ -273,9 +276,8 @@ course::Process Sandbox::launch(const fs::path& shared,
     append(command.arguments, bubblewrap());
     append(command.arguments, run_mounts(stage_));
     append(command.arguments, read_only(shared, "/submission.so"));
-    append(command.arguments,
-           {"--remount-ro", "/", "--chdir", "/", "--as-pid-1", "--seccomp", "9",
-            "--", "/worker", "/submission.so"});
+    append(command.arguments, {"--remount-ro", "/", "--chdir", "/", "--seccomp",
+                               "9", "--", "/worker", "/submission.so"});
     command.descriptors = {{complaints.get(), 2},
                            {control.get(), 3},
                            {strict.get(), 4},

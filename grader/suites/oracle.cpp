@@ -37,7 +37,7 @@ std::vector<std::array<int, 2>> edges_of(const IndexedMesh& mesh) {
             add(vertex(face, k), vertex(face, k + 1));
     for (const auto& [a, b] : mesh.loose_edges) add(a, b);
     std::ranges::sort(edges);
-    edges.erase(std::ranges::unique(edges).begin(), edges.end());
+    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
     return edges;
 }
 

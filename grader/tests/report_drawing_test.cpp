@@ -20,7 +20,7 @@ int count(const std::string& text, const std::string& what) {
     return n;
 }
 
-std::string drawn(const MeshPicture& mesh, const Walk& walk = {}) {
+std::string drawn(const MeshPicture& mesh, const course::Walk& walk = {}) {
     return mesh_drawing(mesh, walk).text;
 }
 
@@ -44,7 +44,7 @@ TEST_CASE("every vertex, edge, face and half-edge is drawn") {
 TEST_CASE("the walk is set off, with the order of its steps") {
     const Failure failure = wrong_count();
     const std::string svg =
-        drawn(failure.mesh, walk_of(failure.walk, failure.reads));
+        drawn(failure.mesh, course::walk_of(failure.walk, failure.reads));
     CHECK(count(svg, "<line class=\"he walked\"") == 3);
     CHECK(count(svg, "class=\"step\"") == 3);
 }

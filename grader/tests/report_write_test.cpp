@@ -6,9 +6,9 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "course/report/text.h"
 #include "course/runner/temporary_folder.h"
 #include "grader/report/terminal.h"
-#include "grader/report/text.h"
 #include "grader/tests/golden.h"
 #include "grader/tests/sample_results.h"
 
@@ -90,7 +90,8 @@ TEST_CASE("pages hold no script and fetch nothing") {
 TEST_CASE("no file holds a byte that its reader could act on") {
     for (const auto& [name, text] : written(sample_class())) {
         CAPTURE(name);
-        CHECK(visible(text) == text);  // no control, no bidi, valid UTF-8
+        CHECK(course::visible(text) ==
+              text);  // no control, no bidi, valid UTF-8
         CHECK((name.ends_with(".json") || !contains(text, "]]>")));
         CHECK(text.size() < 100'000);  // a megabyte was printed
     }
@@ -148,7 +149,7 @@ TEST_CASE("the terminal's table fits, however many exercises there are") {
             for (std::size_t k = 0; k < 3; ++k)
                 student.exercises.push_back(student.exercises[k]);
         for (const std::string& line : lines(class_table(results, Colour::off)))
-            CHECK(width(line) <= 100);
+            CHECK(course::width(line) <= 100);
     }
 }
 

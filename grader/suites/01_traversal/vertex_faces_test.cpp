@@ -25,7 +25,7 @@ std::vector<int> in_order(const std::vector<int>& got, std::vector<int> met) {
     for (std::size_t k = 0; k < met.size(); ++k) {
         const std::vector<int> answer = once_each(met);
         if (IsRotationOf(answer).match(got)) return answer;
-        std::ranges::rotate(met, met.begin() + 1);
+        std::rotate(met.begin(), met.begin() + 1, met.end());
     }
     return once_each(met);
 }

@@ -1,0 +1,5 @@
+#include "exercises/00_table/edge_vertices.h"
+
+std::array<int, 2> edge_vertices(const HalfEdgeTable& he, int i) {
+    return {he[i].vi, he[he[i].opp].vi};
+}

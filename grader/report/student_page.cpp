@@ -112,14 +112,11 @@ Html case_item(const CaseResult& result) {
 
 // ---- one exercise
 
-std::string missing_text(const GradedExercise& exercise) {
-    return fmt::format("No file named {} was found.", exercise.suite.file);
+bool is_missing(const std::optional<ExerciseResult>& result) {
+    return result && result->verdict == Verdict::not_submitted;
 }
 
-Html message_block(const GradedExercise& exercise,
-                   const ExerciseResult& result) {
-    if (result.verdict == Verdict::not_submitted)
-        return markup("<p>{}</p>\n", missing_text(exercise));
+Html message_block(const ExerciseResult& result) {
     if (result.message.empty()) return {};
     return markup("{}<pre>{}</pre>\n",
                   result.verdict < Verdict::compile_error
@@ -159,29 +156,45 @@ Html exercise_section(const ClassResults& results,
     const ExerciseResult shown =
         for_student(*result, results.assignment.hidden_feedback);
     return markup("{}<p>{}</p>\n{}{}</section>\n", head,
-                  explanation(shown.verdict), message_block(exercise, shown),
+                  explanation(shown.verdict), message_block(shown),
                   cases_list(shown));
 }
 
 // ---- the head of the page
+
+/// What became of it; of a file that is missing, its name.
+Html verdict_of(const GradedExercise& exercise,
+                const std::optional<ExerciseResult>& result) {
+    if (!result) return markup("{} not judged yet", badge_not_judged());
+    const Html verdict =
+        markup("{} {}", badge(result->verdict), words(result->verdict));
+    if (!is_missing(result)) return verdict;
+    return markup(R"({}<span class="soft">: no file {}</span>)", verdict,
+                  exercise.suite.file);
+}
+
+/// The exercise's name; it leads to the section below, where there is one.
+Html name_of(const GradedExercise& exercise,
+             const std::optional<ExerciseResult>& result) {
+    const std::string_view name = short_name(exercise.exercise);
+    if (is_missing(result)) return markup("{}", name);
+    return markup(R"(<a href="#{}">{}</a>)", name, name);
+}
 
 Html overview_row(const ClassResults& results, const StudentResults& student,
                   std::size_t k) {
     const GradedExercise& exercise = results.exercises[k];
     const auto& result = student.exercises[k];
     const double max = max_points(results, k);
-    return markup(
-        R"(<tr><td><a href="#{}">{}</a></td><td>{} {}</td>)"
-        R"(<td style="width:180px">{}</td><td class="n">{}{}</td></tr>)"
-        "\n",
-        short_name(exercise.exercise), short_name(exercise.exercise),
-        result ? badge(result->verdict) : badge_not_judged(),
-        result ? words(result->verdict) : "not judged yet",
-        bar(max > 0 ? points(result).value_or(0) / max : 0),
-        points_of(result, max),
-        is_weighted(results)
-            ? markup(" × {}", course::points_text(exercise.weight))
-            : Html());
+    return markup(R"(<tr><td>{}</td><td>{}</td><td style="width:180px">{}</td>)"
+                  R"(<td class="n">{}{}</td></tr>)"
+                  "\n",
+                  name_of(exercise, result), verdict_of(exercise, result),
+                  bar(max > 0 ? points(result).value_or(0) / max : 0),
+                  points_of(result, max),
+                  is_weighted(results)
+                      ? markup(" × {}", course::points_text(exercise.weight))
+                      : Html());
 }
 
 Html overview(const ClassResults& results, const StudentResults& student) {
@@ -232,7 +245,8 @@ Html student_page(const ClassResults& results, const StudentResults& student) {
     const std::string& assignment = results.assignment.name;
     Html sections;
     for (std::size_t k = 0; k < results.exercises.size(); ++k)
-        sections += exercise_section(results, student, k);
+        if (!is_missing(student.exercises[k]))
+            sections += exercise_section(results, student, k);
     return page(
         assignment + ": " + student.student.name,
         markup(R"(<header><p class="over">{}, graded <time>{}</time></p>

@@ -187,6 +187,7 @@ std::vector<int> from_smallest(FaceList::Face corners) {
 void report_duplicates(const IndexedMesh& mesh, const std::vector<int>& faces,
                        std::vector<Defect>& found) {
     std::vector<std::pair<std::vector<int>, int>> rotated;
+    rotated.reserve(faces.size());
     for (const int f : faces)
         rotated.emplace_back(from_smallest(mesh.faces[f]), f);
     std::sort(rotated.begin(), rotated.end());

@@ -51,8 +51,6 @@ Names blank_cells(const Table& table) {
 TEST_CASE("each half-edge has a row, and no cell of it is blank",
           "[points:1]") {
     hint("Which cell is still blank, and which rule of the table is about it?");
-    const Fixture slide = zoo::slide();
-    const OnMesh on(slide);
     const Table table = complete_table();
     CHECK(blank_cells(table) == Names{});
     CHECK(table.size() == half_edge_count);
@@ -65,8 +63,6 @@ TEST_CASE("each half-edge has a row, and no cell of it is blank",
 TEST_CASE("opp leads to the other half-edge of the same edge, and back",
           "[points:1]") {
     hint("Where does the opposite leave, and where does its own opp lead?");
-    const Fixture slide = zoo::slide();
-    const OnMesh on(slide);
     const Table table = complete_table();
     for (int i = 0; i < half_edge_count; ++i) {
         INFO(cell_name(i, opp));
@@ -80,8 +76,6 @@ TEST_CASE("opp leads to the other half-edge of the same edge, and back",
 TEST_CASE("next leaves where i arrives, on the same face or border",
           "[points:1]") {
     hint("At which vertex does i arrive, and which half-edges leave it?");
-    const Fixture slide = zoo::slide();
-    const OnMesh on(slide);
     const Table table = complete_table();
     for (int i = 0; i < half_edge_count; ++i) {
         INFO(cell_name(i, next));

@@ -187,16 +187,16 @@ const Fixture& a_million_half_edges() {
 
 course::ListMatcher<std::vector<int>> IsRotationOf(std::vector<int> expected) {
     return {std::move(expected), course::rotated_to_smallest,
-            "is, begun anywhere, "};
+            "is, begun anywhere: "};
 }
 
 course::ListMatcher<std::vector<int>> IsPermutationOf(
     std::vector<int> expected) {
-    return {std::move(expected), course::sorted, "is, in any order, "};
+    return {std::move(expected), course::sorted, "is, in any order: "};
 }
 
 course::ListMatcher<std::vector<std::vector<int>>> AreLoops(
     std::vector<std::vector<int>> expected) {
     return {std::move(expected), course::sorted_loops,
-            "are, in any order and begun anywhere, "};
+            "is, in any order and each begun anywhere: "};
 }

@@ -182,6 +182,14 @@ TEST_CASE("a count larger than the data is refused before memory is taken") {
     check_huge_counts<HalfEdgeTable>();
 }
 
+TEST_CASE("a count is one of elements, not of bytes") {
+    const std::string bytes = count_of(1000) + std::string(1000, '\0');
+    largest_allocation = 0;
+    CHECK_THROWS_AS(decode<std::vector<HalfEdge>>(bytes), CodecError);
+    CHECK_THROWS_AS(decode<std::vector<int>>(bytes), CodecError);
+    CHECK(largest_allocation < 1000);
+}
+
 TEST_CASE("a bool is 0 or 1 wherever it stands") {
     for (int byte = 2; byte < 256; ++byte) {
         const std::string bad(1, static_cast<char>(byte));

@@ -175,8 +175,9 @@ TEST_CASE("a frame that no judge sends ends the report before its end") {
     for (const std::string& bytes :
          {plan_frame() + frame('x', "") + cases + end,
           plan_frame() + cases + frame('e', "more"),
-          plan_frame() + cases + plan_frame() + end,
-          case_frame(passed("first")) + plan_frame() + end,
+          plan_frame() + cases + plan_frame() + end, cases + plan_frame() + end,
+          case_frame(passed("first")) + plan_frame() +
+              case_frame(passed("second")) + end,
           plan_frame() + encode(std::uint64_t{1} << 60) +
               encode(std::uint64_t{'c'}) + end})
         CHECK(judged(bytes).verdict == Verdict::grader_fault);

@@ -48,20 +48,22 @@ bool ended_well(const course::Finished& finished) {
 // ---- its processes: one that loses its parent becomes ours (see SharedRun),
 // so that none that a run leaves behind can hide
 
-struct Child {
-    pid_t process;
-    std::string name;
-    bool ended;  ///< and nobody has asked for its status yet
-};
+/// The first line of a file of /proc; empty when the process has gone
+/// meanwhile.
+std::string line_of(const fs::path& file) {
+    std::ifstream in(file);
+    std::string line;
+    std::getline(in, line);
+    return line;
+}
 
-std::vector<Child> children() {
-    std::vector<Child> found;
+/// The names of the children of this process.
+std::vector<std::string> children() {
+    std::vector<std::string> names;
     for (const auto& entry : fs::directory_iterator("/proc")) {
         const std::string number = entry.path().filename().string();
         if (number.find_first_not_of("0123456789") != number.npos) continue;
-        std::string stat;  // stays empty when the process has gone meanwhile
-        std::ifstream file(entry.path() / "stat");
-        std::getline(file, stat);
+        const std::string stat = line_of(entry.path() / "stat");
         const auto begin = stat.find('('), end = stat.rfind(')');
         if (end == stat.npos) continue;
         std::istringstream rest(stat.substr(end + 1));
@@ -69,19 +71,22 @@ std::vector<Child> children() {
         pid_t parent = 0;
         rest >> state >> parent;
         if (parent == getpid())
-            found.push_back({static_cast<pid_t>(std::stol(number)),
-                             stat.substr(begin + 1, end - begin - 1),
-                             state == "Z"});
+            names.push_back(stat.substr(begin + 1, end - begin - 1));
     }
-    return found;
+    return names;
 }
 
 /// Takes the status of orphans that have ended, as init does: until then they
 /// count as processes of their user. The grader itself has an owner.
 void bury_orphans() {
-    for (const Child& child : children())
-        if (child.ended && child.name != "grader")
-            waitpid(child.process, nullptr, WNOHANG);
+    for (;;) {
+        siginfo_t ended{};
+        waitid(P_ALL, 0, &ended, WEXITED | WNOHANG | WNOWAIT);
+        if (ended.si_pid == 0) return;
+        const fs::path process = "/proc/" + std::to_string(ended.si_pid);
+        if (line_of(process / "comm") == "grader") return;
+        waitpid(ended.si_pid, nullptr, WNOHANG);
+    }
 }
 
 /// Does so for as long as it lives.
@@ -97,8 +102,7 @@ std::vector<std::string> processes_left() {
     const auto until = course::Clock::now() + 8s;
     for (;; std::this_thread::sleep_for(50ms)) {
         bury_orphans();
-        std::vector<std::string> names;
-        for (const Child& child : children()) names.push_back(child.name);
+        const auto names = children();
         if (names.empty() || course::Clock::now() > until) return names;
     }
 }

@@ -161,7 +161,7 @@ void for_each_wrong_cell(const Fixture& fixture, const Column& column,
 
 void check(const HalfEdgeTable& he, Choice chosen) {
     const ListMatcher<Findings> are_wanted(chosen(expected(he)), chosen,
-                                           "are, in any order, ");
+                                           "is, in any order: ");
     REQUIRE_THAT(::validate(he), are_wanted);
 }
 

@@ -203,6 +203,7 @@ void Client::add_table(Request& request, const HalfEdgeTable& table) {
     put(request.arguments, known.id);
     put(request.arguments,
         std::min(table.reads_left(), table.default_budget()));
+    request.table_bytes += 2 * sizeof(HalfEdge) * table.rows().size();
     if (request.walked == nullptr) request.walked = &table;
 }
 
@@ -230,6 +231,7 @@ void Client::begin_call() {
 
 std::string Client::call(Request request) {
     walked_ = request.walked;
+    reply_extra_ = request.table_bytes;
     if (has_input(channel_.get()))
         fail(Verdict::forbidden_operation,
              "the program wrote to the grader's channel before it was asked");
@@ -277,10 +279,11 @@ FrameHead Client::receive(const FrameHead& request, std::string& body,
     std::memcpy(&reply, body.data(), sizeof reply);
     if (reply.magic != reply_magic || reply.nonce != request.nonce)
         malformed("it is no answer to the question that was asked");
-    if (reply.length > static_cast<std::uint64_t>(limits_.reply_mib) << 20)
-        fail(
-            Verdict::memory_limit_exceeded,
-            fmt::format("the result is larger than {} MiB", limits_.reply_mib));
+    const std::uint64_t most =
+        (static_cast<std::uint64_t>(limits_.reply_kib) << 10) + reply_extra_;
+    if (reply.length > most)
+        fail(Verdict::memory_limit_exceeded,
+             fmt::format("the result is larger than {} KiB", most >> 10));
     take(static_cast<std::size_t>(reply.length));
     return reply;
 }

@@ -41,6 +41,7 @@ struct Request {
     Writer tables;
     Writer arguments;
     const HalfEdgeTable* walked = nullptr;  ///< the first table argument
+    std::uint64_t table_bytes = 0;          ///< twice the rows of all tables
 };
 
 /// One submission under judgement. There is at most one in a process: the
@@ -124,6 +125,7 @@ private:
     std::uint64_t next_table_ = 1;
     LastCall last_call_;
     const HalfEdgeTable* walked_ = nullptr;
+    std::uint64_t reply_extra_ = 0;  ///< what the call's tables allow
 };
 
 }  // namespace course

@@ -156,7 +156,7 @@ Limits short_limits() {
     Limits limits;
     limits.call_ms = 300;
     limits.later_call_ms = 100;
-    limits.reply_mib = 1;
+    limits.reply_kib = 1024;
     return limits;
 }
 
@@ -327,7 +327,7 @@ TEST_CASE("a reply longer than the limit is refused by its length alone") {
                 return raw(FrameHead{reply_magic, CallStatus::returned, length,
                                      asked.head.nonce});
             }),
-            Verdict::memory_limit_exceeded, "larger than 1 MiB");
+            Verdict::memory_limit_exceeded, "larger than 1024 KiB");
 }
 
 TEST_CASE("a length that is promised and not sent ends with the time") {

@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <optional>
 #include <random>
 #include <set>
 #include <thread>
@@ -48,52 +49,61 @@ bool ended_well(const course::Finished& finished) {
 // ---- its processes: one that loses its parent becomes ours (see SharedRun),
 // so that none that a run leaves behind can hide
 
-/// The first line of a file of /proc; empty when the process has gone
-/// meanwhile.
-std::string line_of(const fs::path& file) {
-    std::ifstream in(file);
-    std::string line;
-    std::getline(in, line);
-    return line;
+struct Child {
+    long long started;  ///< in ticks of the system's clock
+    pid_t process;
+    std::string name;
+    bool ended;  ///< and nobody has asked for its status yet
+
+    auto operator<=>(const Child&) const = default;
+};
+
+/// What a line of /proc/N/stat says, if the process is a child of ours.
+std::optional<Child> child_of(const std::string& stat) {
+    const auto begin = stat.find('('), end = stat.rfind(')');
+    if (end == stat.npos) return std::nullopt;
+    std::istringstream rest(stat.substr(end + 1));
+    std::string state, ignored;
+    pid_t parent = 0;
+    rest >> state >> parent;
+    for (int field = 5; field < 22; ++field) rest >> ignored;
+    Child child{0, std::stoi(stat), stat.substr(begin + 1, end - begin - 1),
+                state == "Z"};
+    rest >> child.started;
+    return parent == getpid() ? std::optional(child) : std::nullopt;
 }
 
-/// The names of the children of this process.
-std::vector<std::string> children() {
-    std::vector<std::string> names;
+/// The children of this process, oldest first.
+std::vector<Child> children() {
+    std::vector<Child> found;
     for (const auto& entry : fs::directory_iterator("/proc")) {
         const std::string number = entry.path().filename().string();
         if (number.find_first_not_of("0123456789") != number.npos) continue;
-        const std::string stat = line_of(entry.path() / "stat");
-        const auto begin = stat.find('('), end = stat.rfind(')');
-        if (end == stat.npos) continue;
-        std::istringstream rest(stat.substr(end + 1));
-        std::string state;
-        pid_t parent = 0;
-        rest >> state >> parent;
-        if (parent == getpid())
-            names.push_back(stat.substr(begin + 1, end - begin - 1));
+        std::string line;  // stays empty when the process has gone meanwhile
+        std::ifstream file(entry.path() / "stat");
+        std::getline(file, line);
+        if (auto child = child_of(line)) found.push_back(*child);
     }
-    return names;
+    std::sort(found.begin(), found.end());
+    return found;
 }
 
-/// Takes the status of orphans that have ended, as init does: until then they
-/// count as processes of their user. The grader itself has an owner.
-void bury_orphans() {
-    for (;;) {
-        siginfo_t ended{};
-        waitid(P_ALL, 0, &ended, WEXITED | WNOHANG | WNOWAIT);
-        if (ended.si_pid == 0) return;
-        const fs::path process = "/proc/" + std::to_string(ended.si_pid);
-        if (line_of(process / "comm") == "grader") return;
-        waitpid(ended.si_pid, nullptr, WNOHANG);
-    }
+/// Takes the status of those that have ended, as init does with orphans: until
+/// then they count as processes of their user, who may have only a few.
+void bury(const std::vector<Child>& orphans) {
+    for (const Child& child : orphans)
+        if (child.ended) waitpid(child.process, nullptr, WNOHANG);
 }
 
-/// Does so for as long as it lives.
+/// Buries the orphans of a grader that is waited for elsewhere. Precondition:
+/// there are no children yet, so that the oldest is the grader.
 class Undertaker {
     std::jthread thread_{[](const std::stop_token& stop) {
-        for (; !stop.stop_requested(); std::this_thread::sleep_for(50ms))
-            bury_orphans();
+        for (; !stop.stop_requested(); std::this_thread::sleep_for(100ms)) {
+            std::vector<Child> all = children();
+            if (!all.empty()) all.erase(all.begin());
+            bury(all);
+        }
     }};
 };
 
@@ -101,8 +111,9 @@ class Undertaker {
 std::vector<std::string> processes_left() {
     const auto until = course::Clock::now() + 8s;
     for (;; std::this_thread::sleep_for(50ms)) {
-        bury_orphans();
-        const auto names = children();
+        bury(children());
+        std::vector<std::string> names;
+        for (const Child& child : children()) names.push_back(child.name);
         if (names.empty() || course::Clock::now() > until) return names;
     }
 }
@@ -110,6 +121,16 @@ std::vector<std::string> processes_left() {
 course::Finished grade(const fs::path& out) {
     const Undertaker undertaker;
     return course::run(run_command(out), 300s, 1u << 20);
+}
+
+/// Starts a run and kills it.
+void kill_after(std::chrono::milliseconds time, const fs::path& out) {
+    const Undertaker undertaker;
+    course::Process process(run_command(out));
+    std::this_thread::sleep_for(time);
+    process.kill();
+    const int status = process.wait();
+    REQUIRE(WIFSIGNALED(status));
 }
 
 // ---- what a run may not touch
@@ -291,13 +312,7 @@ TEST_CASE("a run that was killed goes on, to the same grades") {
     std::mt19937 random(seed);
     CAPTURE(seed);
     for (int k = 0; k < 3; ++k) {
-        const Undertaker undertaker;
-        course::Process process(run_command(out));
-        std::this_thread::sleep_for(
-            std::uniform_int_distribution(100, 3000)(random) * 1ms);
-        process.kill();
-        const int status = process.wait();
-        REQUIRE(WIFSIGNALED(status));
+        kill_after(std::uniform_int_distribution(100, 3000)(random) * 1ms, out);
         CHECK(processes_left() == std::vector<std::string>());
     }
     const course::Finished last = grade(out);

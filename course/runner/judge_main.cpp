@@ -102,7 +102,7 @@ std::string expected_of(const Catch::AssertionResult& result,
     if (got == "true" && expanded == "!true") return "false";
     if (got.empty() || expanded.rfind(got, 0) != 0)
         return std::string(result.getExpression());
-    const std::string rest = expanded.substr(got.size());
+    std::string rest = expanded.substr(got.size());
     for (const char* sign : {" == ", "\n==\n", " is, ", "\nis, ", " ", "\n"})
         if (rest.rfind(sign, 0) == 0) return rest.substr(std::strlen(sign));
     return rest;

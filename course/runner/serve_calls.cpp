@@ -9,6 +9,7 @@
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <exception>
 #include <new>
 #include <typeinfo>
@@ -121,6 +122,12 @@ std::string type_of_exception() {
     return text;
 }
 
+/// The start of a text of the submission; it may be of any length.
+std::string start_of(const char* text) {
+    constexpr std::size_t most = 4096;
+    return std::string(text, ::strnlen(text, most));
+}
+
 bool reply_text(const WorkerCall& call, CallStatus status,
                 const std::string& text) {
     Writer out = trace_of(call);
@@ -149,7 +156,7 @@ bool answer(const Entry& entry, WorkerCall& call) {
     } catch (const std::bad_alloc&) {
         return reply(CallStatus::out_of_memory, trace_of(call).bytes);
     } catch (const std::exception& error) {
-        return reply_exception(call, error.what());
+        return reply_exception(call, start_of(error.what()));
     } catch (...) {
         return reply_exception(call, "");
     }

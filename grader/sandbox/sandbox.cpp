@@ -54,7 +54,7 @@ std::vector<std::string> libraries_of(const fs::path& program) {
     command.arguments = {"ldd", program};
     command.environment = course::plain_environment();
     const course::Finished listed =
-        course::run(command, std::chrono::seconds(10), 64 * 1024);
+        course::run(command, std::chrono::seconds(10), 65536);
     std::vector<std::string> found;
     std::istringstream words(listed.output);
     for (std::string word; words >> word;)

@@ -19,6 +19,12 @@ namespace grader {
 
 namespace {
 
+/// A condition on one argument of a system call.
+scmp_arg_cmp argument(unsigned index, scmp_compare how, std::uint64_t a,
+                      std::uint64_t b = 0) {
+    return {index, how, a, b};
+}
+
 class Filter {
 public:
     explicit Filter(std::uint32_t otherwise)
@@ -71,15 +77,14 @@ private:
 void allow_reading(Filter& filter, const char* name, unsigned flags_argument) {
     constexpr std::uint64_t writing =
         O_WRONLY | O_RDWR | O_CREAT | O_TRUNC | O_APPEND;
-    filter.rule_if(
-        SCMP_ACT_ALLOW, name,
-        {SCMP_CMP64(flags_argument, SCMP_CMP_MASKED_EQ, writing, 0)});
+    filter.rule_if(SCMP_ACT_ALLOW, name,
+                   {argument(flags_argument, SCMP_CMP_MASKED_EQ, writing, 0)});
     for (const std::uint64_t flag :
          {std::uint64_t{O_WRONLY}, std::uint64_t{O_RDWR},
           std::uint64_t{O_CREAT}, std::uint64_t{O_TRUNC}})
         filter.rule_if(
             SCMP_ACT_KILL_PROCESS, name,
-            {SCMP_CMP64(flags_argument, SCMP_CMP_MASKED_EQ, flag, flag)});
+            {argument(flags_argument, SCMP_CMP_MASKED_EQ, flag, flag)});
 }
 
 }  // namespace
@@ -156,12 +161,12 @@ std::string compile_filter() {
                            CLONE_NEWPID, CLONE_NEWIPC, CLONE_NEWUTS})
         filter.rule_if(
             SCMP_ACT_ERRNO(EPERM), "clone",
-            {SCMP_CMP64(0, SCMP_CMP_MASKED_EQ, static_cast<std::uint64_t>(flag),
-                        static_cast<std::uint64_t>(flag))});
+            {argument(0, SCMP_CMP_MASKED_EQ, static_cast<std::uint64_t>(flag),
+                      static_cast<std::uint64_t>(flag))});
     // Typing into somebody's terminal.
     constexpr std::uint64_t request = 0xffffffff;
     filter.rule_if(SCMP_ACT_ERRNO(EPERM), "ioctl",
-                   {SCMP_CMP64(1, SCMP_CMP_MASKED_EQ, request, TIOCSTI)});
+                   {argument(1, SCMP_CMP_MASKED_EQ, request, TIOCSTI)});
     return filter.bytes();
 }
 
@@ -235,15 +240,13 @@ std::string worker_filter() {
     allow_reading(filter, "open", 1);
     allow_reading(filter, "openat", 2);
     // Asking for limits, not setting them.
-    filter.rule_if(SCMP_ACT_ALLOW, "prlimit64",
-                   {SCMP_CMP64(2, SCMP_CMP_EQ, 0)});
-    filter.rule_if(SCMP_ACT_ALLOW, "ioctl",
-                   {SCMP_CMP64(1, SCMP_CMP_EQ, TCGETS)});
+    filter.rule_if(SCMP_ACT_ALLOW, "prlimit64", {argument(2, SCMP_CMP_EQ, 0)});
+    filter.rule_if(SCMP_ACT_ALLOW, "ioctl", {argument(1, SCMP_CMP_EQ, TCGETS)});
     // abort() raises a signal: in its own process only.
     filter.rule_if(SCMP_ACT_ALLOW, "tgkill",
-                   {SCMP_CMP64(0, SCMP_CMP_EQ, own_process)});
+                   {argument(0, SCMP_CMP_EQ, own_process)});
     filter.rule_if(SCMP_ACT_KILL_PROCESS, "tgkill",
-                   {SCMP_CMP64(0, SCMP_CMP_NE, own_process)});
+                   {argument(0, SCMP_CMP_NE, own_process)});
     filter.rule(SCMP_ACT_ERRNO(ENOSYS), {"clone3"});
     filter.rule(SCMP_ACT_KILL_PROCESS, {"clone",
                                         "fork",

@@ -229,7 +229,7 @@ void Client::begin_call() {
     }
 }
 
-std::string Client::call(Request request) {
+std::string Client::call(const Request& request) {
     walked_ = request.walked;
     reply_extra_ = request.table_bytes;
     if (has_input(channel_.get()))

@@ -71,7 +71,7 @@ public:
 
     /// Sends the request; returns the bytes of the result. Throws WorkerFailed,
     /// or what the student's function threw.
-    std::string call(Request request);
+    std::string call(const Request& request);
 
     /// The reply did not decode: records it and throws WorkerFailed.
     [[noreturn]] void malformed(const std::string& why);

@@ -65,7 +65,7 @@ R remote_call(const char* name, const A&... arguments) {
     client.begin_call();
     Request request;
     (detail::add(client, request, arguments), ...);
-    const std::string reply = client.call(std::move(request));
+    const std::string reply = client.call(request);
     try {
         R result = decode<R>(reply);
         client.last_call().got = [result] { return show(result); };

@@ -166,7 +166,7 @@ Html exercise_section(const ClassResults& results,
 Html verdict_of(const GradedExercise& exercise,
                 const std::optional<ExerciseResult>& result) {
     if (!result) return markup("{} not judged yet", badge_not_judged());
-    const Html verdict =
+    Html verdict =
         markup("{} {}", badge(result->verdict), words(result->verdict));
     if (!is_missing(result)) return verdict;
     return markup(R"({}<span class="soft">: no file {}</span>)", verdict,

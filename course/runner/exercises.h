@@ -18,6 +18,9 @@ struct Exercise {
     std::string name;      ///< "face_sides", the name of its function and files
     bool is_data = false;  ///< the submission is a table and not a function
 
+    /// "01_traversal/face_sides": the name in assignments and gradebooks.
+    std::string full_name() const { return topic + "/" + name; }
+
     /// What a student hands in: "face_sides.cpp" or "complete_table.csv".
     std::string file_name() const;
 

@@ -45,7 +45,9 @@ void print_text(const course::Exercise& exercise,
                course::points_text(result.max()));
     for (const auto& c : result.cases)
         fmt::print("\n{}: {}\n{}", words(c.verdict), c.info.name,
-                   c.verdict == Verdict::accepted ? "" : plain_text(c));
+                   c.verdict == Verdict::accepted
+                       ? ""
+                       : course::visible(plain_text(c)));
     if (!result.message.empty())
         fmt::print("\n{}\n", course::visible(result.message));
 }

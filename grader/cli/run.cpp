@@ -67,7 +67,7 @@ std::vector<std::string> names_of(
     const std::vector<course::Exercise>& exercises) {
     std::vector<std::string> names;
     for (const course::Exercise& exercise : exercises)
-        names.push_back(exercise.topic + "/" + exercise.name);
+        names.push_back(exercise.full_name());
     return names;
 }
 

@@ -29,8 +29,7 @@ void print(const std::vector<Validation>& validations) {
                "points", "skeleton", "wrong", "");
     for (const Validation& v : validations) {
         fmt::print("{:<34} {:>5} {:>6g}  {:<28} {:>9}  {}\n",
-                   v.exercise.topic + "/" + v.exercise.name, v.cases, v.max,
-                   v.skeleton,
+                   v.exercise.full_name(), v.cases, v.max, v.skeleton,
                    fmt::format("{} of {}", v.wrong_as_expected, v.wrong),
                    v.complaints.empty() ? "ok" : "NOT AS IT MUST BE");
         for (const std::string& complaint : v.complaints)

@@ -29,10 +29,6 @@ std::string now() {
                        fmt::gmtime(std::time(nullptr)));
 }
 
-std::string full_name(const Exercise& exercise) {
-    return exercise.topic + "/" + exercise.name;
-}
-
 /// One file that has to be judged.
 struct Task {
     const Submission* submission;
@@ -93,7 +89,7 @@ void Grading::begin() {
     facts.jobs = run_.jobs;
     facts.notes = run_.submitted.notes;
     for (const Exercise& exercise : run_.exercises)
-        facts.suites.push_back({full_name(exercise), exercise.file_name(),
+        facts.suites.push_back({exercise.full_name(), exercise.file_name(),
                                 keys_.suite_version(exercise),
                                 course::planned_points(exercise)});
     for (const Submission& submission : run_.submitted.submissions)
@@ -104,7 +100,7 @@ void Grading::begin() {
 
 void Grading::note_missing(const Submission& submission,
                            const Exercise& exercise) {
-    const std::string name = full_name(exercise);
+    const std::string name = exercise.full_name();
     const std::string key = "not submitted";
     if (gradebook_.reuse(number_, submission.id, name, key)) return;
     ExerciseResult missing;
@@ -120,7 +116,7 @@ void Grading::look_at(const Submission& submission) {
             continue;
         }
         std::string key = keys_.of(exercise, file->second.bytes);
-        if (gradebook_.reuse(number_, submission.id, full_name(exercise), key))
+        if (gradebook_.reuse(number_, submission.id, exercise.full_name(), key))
             ++result_.unchanged;
         else
             tasks_.push_back({&submission, &exercise, &file->second, key});
@@ -128,7 +124,7 @@ void Grading::look_at(const Submission& submission) {
 }
 
 void Grading::record(const Task& task, const ExerciseResult& result) {
-    gradebook_.record(number_, {task.submission->id, full_name(*task.exercise),
+    gradebook_.record(number_, {task.submission->id, task.exercise->full_name(),
                                 task.key, result, now()});
     ++result_.judged;
     if (result.verdict == Verdict::grader_fault) ++result_.faults;

@@ -184,7 +184,7 @@ const SharedRun& shared_run() {
 ClassResults results_in(const fs::path& out) {
     std::vector<std::string> names;
     for (const course::Exercise& exercise : course::all_exercises())
-        names.push_back(exercise.topic + "/" + exercise.name);
+        names.push_back(exercise.full_name());
     const Gradebook book(out / "gradebook.sqlite", Gradebook::Access::read);
     return class_results(book, default_assignment(names));
 }

@@ -4,8 +4,12 @@
 #include <filesystem>
 #include <string>
 
+#include "course/runner/descriptors.h"
+
 namespace course {
 
+/// While its owner lives, the folder is locked; of a process that was killed
+/// it stays behind without a lock.
 class TemporaryFolder {
 public:
     /// Below the system's folder for such things, readable by its owner only.
@@ -22,6 +26,10 @@ public:
 
 private:
     std::filesystem::path path_;
+    Descriptor lock_;
 };
+
+/// Removes those that killed processes of this user left behind.
+void remove_stale_temporary_folders();
 
 }  // namespace course

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,7 +18,8 @@ namespace grader {
 struct JudgingOptions {
     int jobs = 0;  ///< 0: one per core
     std::uint64_t seed = 1;
-    bool without_sandbox = false;
+    int repeats = 2;  ///< how often each case is judged
+    std::optional<Isolation> isolation;  ///< none: the strongest there is
 
     void add_to(CLI::App& app);
 };
@@ -28,10 +30,11 @@ struct CannotBegin : std::runtime_error {
 };
 
 /// What commands that judge have in common: isolation that was probed, lanes.
+/// Says on the error stream which isolation holds, and why none better.
 class Bench {
 public:
-    /// Throws CannotBegin when there is no isolation and none was not asked
-    /// for.
+    /// Throws CannotBegin when the isolation that was asked for is not to be
+    /// had, or none at all is and that was not asked for by name.
     explicit Bench(const JudgingOptions& options);
 
     int jobs() const { return jobs_; }

@@ -7,12 +7,14 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <fstream>
 #include <sstream>
 #include <tuple>
 #include <utility>
 
 #include "course/runner/compile.h"
+#include "course/runner/limits.h"
 #include "grader/sandbox/filters.h"
 
 namespace grader {
@@ -41,6 +43,10 @@ Descriptor open_file(const fs::path& file, int flags) {
     return fd;
 }
 
+bool is_root() {
+    return ::geteuid() == 0;
+}
+
 /// For the user of the lane, who is not the grader's.
 void let_others_read(const fs::path& folder,
                      const std::vector<fs::path>& files) {
@@ -49,19 +55,28 @@ void let_others_read(const fs::path& folder,
 }
 
 /// Paths in the output of the loader's own listing of a program's libraries.
-std::vector<std::string> libraries_of(const fs::path& program) {
+Arguments libraries_of(const fs::path& program) {
     course::Command command;
     command.arguments = {"ldd", program};
     command.environment = course::plain_environment();
     const course::Finished listed =
         course::run(command, std::chrono::seconds(10), 65536);
-    std::vector<std::string> found;
+    Arguments found;
     std::istringstream words(listed.output);
     for (std::string word; words >> word;)
         if (word.front() == '/') found.push_back(word);
     if (listed.status != 0 || found.empty())
         throw course::SystemError("ldd does not say what the worker needs");
     return found;
+}
+
+/// The libraries at the paths where the loader looks for them.
+void copy_libraries(const Arguments& libraries, const fs::path& root) {
+    for (const std::string& library : libraries) {
+        const fs::path copy = root / library.substr(1);
+        fs::create_directories(copy.parent_path());
+        fs::copy_file(library, copy, fs::copy_options::skip_existing);
+    }
 }
 
 /// Blocks of user numbers where Debian and Ubuntu have no accounts. A grader
@@ -86,42 +101,83 @@ std::pair<Descriptor, int> lock_users() {
         fmt::format("{} graders are running on this machine already", blocks));
 }
 
-/// Root keeps its power in a namespace: each lane gets a user of its own, whose
-/// count of processes is its own, too.
-Arguments as_user(const Stage& stage, int slot) {
-    if (::geteuid() != 0) return {};
-    const std::string user = std::to_string(stage.first_user() + slot);
-    return {"setpriv",        "--reuid=" + user, "--regid=" + user,
-            "--clear-groups", "--no-new-privs",  "--"};
-}
+// ---- what both isolations share
 
+/// What one step may use; 0: no limit here.
 struct StepLimits {
     int cpu_seconds;
-    int memory_mib;  ///< of address space; 0: none here
+    int process_mib;  ///< address space of each process
+    int group_mib;    ///< memory of all together, where there are groups
     int file_mib;
     int processes;
 };
 
-Arguments limited(const StepLimits& limits) {
-    Arguments list = {"prlimit", "--core=0", "--nofile=128",
-                      fmt::format("--fsize={}", limits.file_mib << 20)};
-    // Counted by user: of an ordinary user it would count the whole desktop.
-    if (::geteuid() == 0)
-        list.push_back(fmt::format("--nproc={}", limits.processes));
-    if (limits.cpu_seconds > 0)
-        list.push_back(fmt::format("--cpu={}", limits.cpu_seconds));
-    if (limits.memory_mib > 0)
-        list.push_back(
-            fmt::format("--as={}", std::int64_t{limits.memory_mib} << 20));
-    list.push_back("--");
+constexpr StepLimits compiling = {10, 2048, 2112, 32, 32};
+// Each worker sets limits of its own; beside it stand launcher and bubblewrap.
+constexpr StepLimits running = {0, 0, course::Limits{}.memory_mib + 128, 32,
+                                16};
+
+uid_t user_of(const Stage& stage, int slot) {
+    return static_cast<uid_t>(stage.first_user() + slot);
+}
+
+/// Root keeps its power in a namespace: each lane gets a user of its own, whose
+/// count of processes is its own, too. Of an ordinary user it would count the
+/// whole desktop.
+Arguments entering(const Stage& stage, int slot, const StepLimits& limits,
+                   const std::optional<ControlGroup>& group) {
+    Arguments list = {stage.enter(),
+                      fmt::format("--cpu={}", limits.cpu_seconds),
+                      fmt::format("--memory={}", limits.process_mib),
+                      fmt::format("--file-size={}", limits.file_mib)};
+    if (group)
+        for (const fs::path& file : group->members())
+            list.push_back("--join=" + file.string());
+    if (is_root()) {
+        list.push_back(fmt::format("--processes={}", limits.processes));
+        list.push_back(fmt::format("--user={}", user_of(stage, slot)));
+    }
     return list;
 }
+
+std::string shell_words(const Arguments& arguments) {
+    // All of them are ours; none holds a quote.
+    std::string line;
+    for (const std::string& argument : arguments)
+        line += fmt::format("'{}' ", argument);
+    return line;
+}
+
+/// Compile, link, and hand the result out by descriptor 3.
+std::string compile_script(const course::Exercise& exercise,
+                           const std::string& work,
+                           const std::string& student) {
+    const auto compile = course::compile_arguments(
+        exercise.file_name(), work + "/s.o", student + "/include");
+    const auto link = course::link_arguments(
+        work + "/s.o", fmt::format("{}/entries/{}.o", student, exercise.name),
+        work + "/s.so");
+    return shell_words(compile) + "&& " + shell_words(link) + "&& cat " + work +
+           "/s.so >&3";
+}
+
+/// Compiler, linker and system headers: the same on both sides.
+std::vector<std::string> toolchain() {
+    std::vector<std::string> folders;
+    for (const char* folder :
+         {"/usr/bin", "/usr/lib", "/usr/include", "/usr/lib64", "/usr/libexec"})
+        if (fs::exists(folder)) folders.push_back(folder);
+    return folders;
+}
+
+// ---- bubblewrap
 
 /// Namespaces of its own for everything, nobody inside, no way up. The command
 /// is the first process inside: bubblewrap would put one of its own there, does
 /// not wait for its end, and in a container nobody may collect it.
 Arguments bubblewrap() {
-    return {"bwrap",
+    return {"--",
+            "bwrap",
             "--unshare-user",
             "--unshare-pid",
             "--unshare-net",
@@ -150,20 +206,17 @@ Arguments read_only(const std::string& ours, const std::string& theirs) {
     return {"--ro-bind", ours, theirs};
 }
 
-/// Root file system of the run step: worker, its libraries, the submission.
-Arguments run_mounts(const Stage& stage) {
+Arguments worker_mounts(const Stage& stage) {
     Arguments list = read_only(stage.worker(), "/worker");
     for (const std::string& library : stage.libraries())
         append(list, read_only(fs::canonical(library), library));
     return list;
 }
 
-/// Root file system of the compile step: compiler, system headers, contracts.
-Arguments compile_mounts(const Stage& stage) {
+Arguments compiler_mounts(const Stage& stage) {
     Arguments list;
-    for (const char* folder :
-         {"/usr/bin", "/usr/lib", "/usr/include", "/usr/lib64", "/usr/libexec"})
-        if (fs::exists(folder)) append(list, read_only(folder, folder));
+    for (const std::string& folder : toolchain())
+        append(list, read_only(folder, folder));
     for (const char* link : {"bin", "lib", "lib64"})
         append(list, {"--symlink", fmt::format("usr/{}", link),
                       fmt::format("/{}", link)});
@@ -175,23 +228,25 @@ Arguments compile_mounts(const Stage& stage) {
     return list;
 }
 
-std::string shell_words(const Arguments& arguments) {
-    // All of them are ours; none holds a quote.
-    std::string line;
-    for (const std::string& argument : arguments)
-        line += fmt::format("'{}' ", argument);
-    return line;
+Arguments compile_under_bubblewrap(const Stage& stage,
+                                   const course::Exercise& exercise,
+                                   const fs::path& source) {
+    Arguments list = bubblewrap();
+    append(list, compiler_mounts(stage));
+    append(list, read_only(source, "/src/" + exercise.file_name()));
+    append(list, {"--remount-ro", "/", "--chdir", "/src", "--seccomp", "9",
+                  "--json-status-fd", "8", "--", "/bin/sh", "-c",
+                  compile_script(exercise, "/tmp", "/student")});
+    return list;
 }
 
-/// Compile, link, and hand the result out by descriptor 3.
-std::string compile_script(const course::Exercise& exercise) {
-    const auto compile = course::compile_arguments(
-        exercise.file_name(), "/tmp/s.o", "/student/include");
-    const auto link = course::link_arguments(
-        "/tmp/s.o", fmt::format("/student/entries/{}.o", exercise.name),
-        "/tmp/s.so");
-    return shell_words(compile) + "&& " + shell_words(link) +
-           "&& cat /tmp/s.so >&3";
+Arguments run_under_bubblewrap(const Stage& stage, const fs::path& shared) {
+    Arguments list = bubblewrap();
+    append(list, worker_mounts(stage));
+    append(list, read_only(shared, "/submission.so"));
+    append(list, {"--remount-ro", "/", "--chdir", "/", "--seccomp", "9", "--",
+                  "/worker", "/submission.so"});
+    return list;
 }
 
 /// bubblewrap writes the exit code of the command only if it got that far.
@@ -202,63 +257,203 @@ bool got_that_far(const Descriptor& status_file) {
     return text.find("\"exit-code\"") != std::string::npos;
 }
 
+// ---- Landlock, where namespaces are refused
+
+/// Exit code of grader_enter when the command was never started.
+constexpr int never_started = 125;
+
+/// For the compiler's output; its user may write there and nowhere else.
+fs::path scratch_beside(const fs::path& source) {
+    return source.parent_path() / "scratch";
+}
+
+void make_scratch(const fs::path& folder, const Stage& stage, int slot) {
+    fs::create_directory(folder);
+    fs::permissions(folder, fs::perms(0700));
+    const uid_t user = user_of(stage, slot);
+    if (is_root() && ::chown(folder.c_str(), user, user) != 0)
+        course::throw_errno("cannot give away " + folder.string());
+}
+
+Arguments compile_under_landlock(const Stage& stage,
+                                 const course::Exercise& exercise,
+                                 const fs::path& source) {
+    const fs::path scratch = scratch_beside(source);
+    Arguments list = {"--filter=9",
+                      "--chdir=" + source.parent_path().string(),
+                      "--read=" + source.string(),
+                      "--read=" + stage.student().string(),
+                      "--write=" + scratch.string(),
+                      "--write=/dev/null"};
+    for (const std::string& folder : toolchain())
+        list.push_back("--read=" + folder);
+    append(list, {"--", "/bin/sh", "-c",
+                  compile_script(exercise, scratch, stage.student())});
+    return list;
+}
+
+/// Where a lane's submission lies in the root folder of the run step.
+fs::path place_of(int slot) {
+    return fs::path("/lanes") / std::to_string(slot);
+}
+
+/// As root, the worker sees no folder but its own.
+Arguments around_worker(const Stage& stage) {
+    Arguments list = {"--filter=9"};
+    if (!is_root()) {
+        append(list, {"--read=" + stage.worker().string()});
+        for (const std::string& library : stage.libraries())
+            list.push_back("--read=" + library);
+        return list;
+    }
+    list.push_back("--root=" + stage.root().string());
+    for (const auto& entry : fs::directory_iterator(stage.root()))
+        if (entry.path().filename() != "lanes")
+            list.push_back("--read=" + entry.path().string());
+    return list;
+}
+
+Arguments run_under_landlock(const Stage& stage, int slot,
+                             const fs::path& shared) {
+    Arguments list = around_worker(stage);
+    if (!is_root()) {
+        append(list, {"--read=" + shared.string(), "--", stage.worker(),
+                      shared.string()});
+        return list;
+    }
+    const fs::path inside = place_of(slot) / "submission.so";
+    const fs::path outside = stage.root() / inside.relative_path();
+    fs::create_directories(outside.parent_path());
+    fs::copy_file(shared, outside, fs::copy_options::overwrite_existing);
+    append(list, {"--read=" + outside.string(), "--", "/worker", inside});
+    return list;
+}
+
+/// Without a namespace of processes their user tells what belongs to a lane.
+void kill_all_of(uid_t user) {
+    const pid_t pid = ::fork();
+    if (pid == 0) {
+        if (::setresuid(user, user, user) == 0) ::kill(-1, SIGKILL);
+        ::_exit(0);
+    }
+    while (pid > 0 && ::waitpid(pid, nullptr, 0) < 0 && errno == EINTR) {
+    }
+}
+
+// ---- trying it
+
+Arguments probe_arguments(const Stage& stage, Isolation isolation) {
+    Arguments list = entering(stage, 0, running, std::nullopt);
+    if (isolation == Isolation::bubblewrap) {
+        append(list, bubblewrap());
+        append(list, worker_mounts(stage));
+        append(list, {"--remount-ro", "/", "--", "/worker", "--probe"});
+    } else {
+        append(list, around_worker(stage));
+        append(list, {"--", is_root() ? "/worker" : stage.worker().string(),
+                      "--probe"});
+    }
+    return list;
+}
+
 }  // namespace
 
+std::string_view name(Isolation isolation) {
+    constexpr const char* names[] = {"bubblewrap", "landlock", "none"};
+    return names[static_cast<int>(isolation)];
+}
+
+std::string_view words(Isolation isolation) {
+    constexpr const char* all[] = {
+        "bubblewrap: namespaces, system-call filter, limits",
+        "landlock: no namespaces; Landlock, system-call filter, limits",
+        "none: limits only"};
+    return all[static_cast<int>(isolation)];
+}
+
 Stage::Stage() {
+    course::remove_stale_temporary_folders();
     const fs::path build = course::build_root();
     fs::permissions(folder_.path(), fs::perms(0755));
+    fs::create_directories(root() / "lanes");
     fs::copy_file(build / "grader" / "grader_worker", worker());
+    fs::copy_file(build / "grader" / "grader_enter", enter());
     fs::copy(build / "student", student(), fs::copy_options::recursive);
     write_file(compile_filter(), grader::compile_filter());
     write_file(worker_filter(), grader::worker_filter());
     libraries_ = libraries_of(worker());
-    if (::geteuid() == 0) std::tie(user_lock_, first_user_) = lock_users();
+    if (!is_root()) return;
+    copy_libraries(libraries_, root());
+    std::tie(user_lock_, first_user_) = lock_users();
 }
 
-Probe probe(const Stage& stage) {
+std::optional<std::string> why_not(const Stage& stage, Isolation isolation) {
+    if (isolation == Isolation::none) return std::nullopt;
+    const Descriptor filter = open_file(stage.compile_filter(), O_RDONLY);
     course::Command command;
-    command.arguments = as_user(stage, 0);
-    append(command.arguments, bubblewrap());
-    append(command.arguments, run_mounts(stage));
-    append(command.arguments,
-           {"--remount-ro", "/", "--", "/worker", "--probe"});
+    command.arguments = probe_arguments(stage, isolation);
     command.environment = course::plain_environment();
+    command.descriptors = {{filter.get(), 9}};
     try {
         const course::Finished tried =
             course::run(command, std::chrono::seconds(10), 4096);
-        if (tried.status == 0 && tried.output == "ready\n")
-            return {Isolation::bubblewrap, ""};
-        return {Isolation::none, tried.output};
+        if (tried.status == 0 && tried.output == "ready\n") return std::nullopt;
+        return tried.output.substr(0, tried.output.find_last_not_of('\n') + 1);
     } catch (const course::SystemError& error) {
-        return {Isolation::none, error.what()};
+        return error.what();
     }
+}
+
+Probe probe(const Stage& stage) {
+    Probe found;
+    for (const Isolation tried : {Isolation::bubblewrap, Isolation::landlock}) {
+        const auto reason = why_not(stage, tried);
+        found.isolation = tried;
+        if (!reason) return found;
+        if (!found.reason.empty()) found.reason += "; ";
+        found.reason += fmt::format("{}: {}", name(tried), *reason);
+    }
+    found.isolation = Isolation::none;
+    return found;
+}
+
+Sandbox::~Sandbox() {
+    group_.reset();
+    if (isolation_ == Isolation::landlock && is_root())
+        kill_all_of(user_of(stage_, slot_));
 }
 
 course::Compiled Sandbox::compile(const course::Exercise& exercise,
                                   const fs::path& source,
                                   const fs::path& shared) {
+    const bool wrapped = isolation_ == Isolation::bubblewrap;
     const Descriptor filter = open_file(stage_.compile_filter(), O_RDONLY);
     const fs::path copy = shared.parent_path() / exercise.file_name();
     fs::copy_file(source, copy);
     const Descriptor out =
         open_file(shared, O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW);
     let_others_read(shared.parent_path(), {copy, shared});
+    if (!wrapped) make_scratch(scratch_beside(copy), stage_, slot_);
+    group_.emplace(stage_.groups(), fmt::format("compile-{}", slot_),
+                   compiling.group_mib, compiling.processes);
     const Descriptor status = course::anonymous_file();
     course::Command command;
-    command.environment = course::plain_environment();
-    command.arguments = as_user(stage_, slot_);
-    append(command.arguments, limited({10, 2048, 32, 32}));
-    append(command.arguments, bubblewrap());
-    append(command.arguments, compile_mounts(stage_));
-    append(command.arguments, read_only(copy, "/src/" + exercise.file_name()));
-    append(command.arguments, {"--remount-ro", "/", "--chdir", "/src",
-                               "--seccomp", "9", "--json-status-fd", "8", "--",
-                               "/bin/sh", "-c", compile_script(exercise)});
+    command.environment = {"PATH=/usr/bin:/bin", "LC_ALL=C.UTF-8",
+                           "TMPDIR=" + scratch_beside(copy).string()};
+    command.arguments = entering(stage_, slot_, compiling, group_);
+    append(command.arguments,
+           wrapped ? compile_under_bubblewrap(stage_, exercise, copy)
+                   : compile_under_landlock(stage_, exercise, copy));
     command.descriptors = {
         {out.get(), 3}, {status.get(), 8}, {filter.get(), 9}};
-    const course::Finished finished = course::run(
-        command, course::compiler_patience, course::most_compiler_output);
-    if (!finished.timed_out && !got_that_far(status))
+    course::Finished finished = course::run(command, course::compiler_patience,
+                                            course::most_compiler_output);
+    group_.reset();
+    const bool started =
+        wrapped ? got_that_far(status)
+                : !WIFEXITED(finished.status) ||
+                      WEXITSTATUS(finished.status) != never_started;
+    if (!finished.timed_out && !started)
         return {course::Verdict::grader_fault,
                 "the compile sandbox did not start: " + finished.output};
     return course::compiled_from(finished, course::compiler_patience);
@@ -269,15 +464,14 @@ course::Process Sandbox::launch(const fs::path& shared,
                                 const Descriptor& complaints) {
     const Descriptor filter = open_file(stage_.compile_filter(), O_RDONLY);
     const Descriptor strict = open_file(stage_.worker_filter(), O_RDONLY);
+    group_.emplace(stage_.groups(), fmt::format("run-{}", slot_),
+                   running.group_mib, running.processes);
     course::Command command;
-    command.environment = course::plain_environment();
-    command.arguments = as_user(stage_, slot_);
-    append(command.arguments, limited({0, 0, 32, 16}));
-    append(command.arguments, bubblewrap());
-    append(command.arguments, run_mounts(stage_));
-    append(command.arguments, read_only(shared, "/submission.so"));
-    append(command.arguments, {"--remount-ro", "/", "--chdir", "/", "--seccomp",
-                               "9", "--", "/worker", "/submission.so"});
+    command.environment = {"LC_ALL=C.UTF-8"};
+    command.arguments = entering(stage_, slot_, running, group_);
+    append(command.arguments, isolation_ == Isolation::bubblewrap
+                                  ? run_under_bubblewrap(stage_, shared)
+                                  : run_under_landlock(stage_, slot_, shared));
     command.descriptors = {{complaints.get(), 2},
                            {control.get(), 3},
                            {strict.get(), 4},
@@ -287,9 +481,9 @@ course::Process Sandbox::launch(const fs::path& shared,
 
 std::unique_ptr<course::Workplace> workplace(Isolation isolation,
                                              const Stage& stage, int slot) {
-    if (isolation == Isolation::bubblewrap)
-        return std::make_unique<Sandbox>(stage, slot);
-    return std::make_unique<course::LocalWorkplace>();
+    if (isolation == Isolation::none)
+        return std::make_unique<course::LocalWorkplace>();
+    return std::make_unique<Sandbox>(isolation, stage, slot);
 }
 
 }  // namespace grader

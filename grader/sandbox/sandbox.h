@@ -1,28 +1,33 @@
-// Where submissions are compiled and run: under bubblewrap, as an unprivileged
-// user of their own, with nothing of the machine but what the step needs.
+// Where submissions are compiled and run: apart from this machine, as an
+// unprivileged user, with nothing but what the step needs.
 #pragma once
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "course/runner/judge_submission.h"
 #include "course/runner/temporary_folder.h"
+#include "grader/sandbox/control_group.h"
 
 namespace grader {
 
-/// How submissions are kept apart from this machine.
+/// How submissions are kept apart from this machine, strongest first.
 enum class Isolation {
     bubblewrap,  ///< namespaces, system-call filters, limits
+    landlock,    ///< Landlock, system-call filters, limits; as root also a user
+                 ///< and a root folder of their own
     none,        ///< limits only; must be asked for by name
 };
 
-/// Which isolation this machine offers, and the reason when it is none.
-struct Probe {
-    Isolation isolation = Isolation::none;
-    std::string reason;
-};
+/// "bubblewrap", "landlock", "none".
+std::string_view name(Isolation isolation);
+
+/// What it consists of, in one line for people.
+std::string_view words(Isolation isolation);
 
 /// What all sandboxes of a run share: the worker, the headers and the filters,
 /// copied to where an unprivileged user can read them.
@@ -31,7 +36,11 @@ public:
     /// Throws SystemError.
     Stage();
 
-    std::filesystem::path worker() const { return folder_ / "worker"; }
+    /// Root folder of a run step: the worker, and its libraries where it is
+    /// that of the process as well.
+    std::filesystem::path root() const { return folder_ / "root"; }
+    std::filesystem::path worker() const { return root() / "worker"; }
+    std::filesystem::path enter() const { return folder_ / "enter"; }
     std::filesystem::path student() const { return folder_ / "student"; }
     std::filesystem::path compile_filter() const {
         return folder_ / "compile.bpf";
@@ -46,21 +55,34 @@ public:
     /// Shared libraries of the worker, and its loader.
     const std::vector<std::string>& libraries() const { return libraries_; }
 
+    const ControlGroups& groups() const { return groups_; }
+
 private:
     course::TemporaryFolder folder_;
     std::vector<std::string> libraries_;
     course::Descriptor user_lock_;
     int first_user_ = 0;
+    ControlGroups groups_;
 };
 
-/// Tries a sandbox once.
+/// Tries an isolation once; the reason why this machine does not offer it, or
+/// nothing when it does.
+std::optional<std::string> why_not(const Stage& stage, Isolation isolation);
+
+/// The strongest isolation that this machine offers, and why no stronger one.
+struct Probe {
+    Isolation isolation = Isolation::none;
+    std::string reason;
+};
 Probe probe(const Stage& stage);
 
 /// One lane of the grader: one submission at a time, under a user number of
-/// its own when the grader runs as root.
+/// its own when the grader runs as root. Nothing of a step outlives it.
 class Sandbox : public course::Workplace {
 public:
-    Sandbox(const Stage& stage, int slot) : stage_(stage), slot_(slot) {}
+    Sandbox(Isolation isolation, const Stage& stage, int slot)
+        : isolation_(isolation), stage_(stage), slot_(slot) {}
+    ~Sandbox() override;
 
     course::Compiled compile(const course::Exercise& exercise,
                              const std::filesystem::path& source,
@@ -70,8 +92,10 @@ public:
                            const course::Descriptor& complaints) override;
 
 private:
+    Isolation isolation_;
     const Stage& stage_;
     int slot_;
+    std::optional<ControlGroup> group_;
 };
 
 /// The workplace of a lane.

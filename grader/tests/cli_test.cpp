@@ -212,7 +212,7 @@ TEST_CASE("a fault of the grader ends with 3 and is no verdict of the file") {
 TEST_CASE("judge works without a sandbox when it is told to") {
     const auto file = course::exercise_named("face_sides").skeleton();
     const Said said = grader_says(
-        {"judge", "face_sides", file.string(), "--without-sandbox"});
+        {"judge", "face_sides", file.string(), "--isolation", "none"});
     INFO(said.text);
     CHECK(said.code <= 1);
     CHECK(contains(said.text, " of 10 points"));

@@ -34,7 +34,7 @@ int check(const std::string& name, fs::path file) {
     LocalWorkplace workplace;
     constexpr std::uint64_t seed = 1;
     const ExerciseResult result =
-        judge_submission(workplace, exercise, file, JudgeKind::lab, seed);
+        judge_submission(workplace, exercise, file, JudgeKind::lab, {seed});
     fmt::print("{}", explain_result(exercise, file, result));
     return exit_code(result.verdict);
 }

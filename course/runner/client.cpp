@@ -91,6 +91,13 @@ std::string text_from(Reader& in) {
     return std::string(all.substr(0, longest));
 }
 
+/// The last text of a reply.
+std::string last_text_from(Reader& in) {
+    std::string text = text_from(in);
+    in.done();
+    return text;
+}
+
 /// The student's exception as the same standard type, so that a suite can ask
 /// for it by type.
 [[noreturn]] void rethrow(const std::string& type, const std::string& text) {
@@ -316,24 +323,22 @@ std::string Client::result_of(const FrameHead& reply, const std::string& body) {
     }
     try {
         Reader in(body);
-        if (reply.status == CallStatus::not_loaded) {
-            for_good_ = {Verdict::compile_error, text_from(in)};
-            fail(for_good_->first, for_good_->second);
-        }
+        if (reply.status == CallStatus::not_loaded)
+            fail(Verdict::compile_error, last_text_from(in));
         take_trace(in);
         switch (reply.status) {
             case CallStatus::returned:
                 return std::string(in.take(in.left()));
             case CallStatus::out_of_table:
-                fail(Verdict::run_time_error, text_from(in));
+                fail(Verdict::run_time_error, last_text_from(in));
             case CallStatus::too_many_reads:
-                fail(Verdict::time_limit_exceeded, text_from(in));
+                fail(Verdict::time_limit_exceeded, last_text_from(in));
             case CallStatus::out_of_memory:
                 fail(Verdict::memory_limit_exceeded,
                      out_of_memory_text(limits_));
             case CallStatus::threw: {
                 const std::string type = text_from(in);
-                rethrow(type, text_from(in));
+                rethrow(type, last_text_from(in));
             }
             default:
                 break;
@@ -354,7 +359,8 @@ std::string Client::printed() const {
 
 void Client::fail(Verdict verdict, const std::string& why) {
     poisoned_ = true;
-    if (on_failure) on_failure(verdict, why);
+    // A hostile worker may give an empty one.
+    if (on_failure) on_failure(verdict, why.empty() ? "no reason given" : why);
     throw WorkerFailed{};
 }
 

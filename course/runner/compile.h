@@ -12,7 +12,7 @@
 namespace course {
 
 /// How long a compiler may take, and how much of its messages is kept.
-inline constexpr std::chrono::milliseconds compiler_patience{20'000};
+inline constexpr std::chrono::milliseconds compiler_patience{40'000};
 inline constexpr std::size_t most_compiler_output = 65'536;
 
 /// The compiler of this build.

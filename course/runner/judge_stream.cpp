@@ -20,6 +20,14 @@ struct FrameStart {
     std::uint64_t kind;
 };
 
+/// Whether points can be counted by the plan: 0 or more each, and a number.
+bool is_countable(const std::vector<CaseInfo>& plan) {
+    constexpr double most = 1'000'000;
+    return std::all_of(plan.begin(), plan.end(), [](const CaseInfo& planned) {
+        return planned.points >= 0 && planned.points <= most;
+    });
+}
+
 /// What the report says of a case. Nothing, or more than one thing, or no
 /// verdict that there is: the default, which is a grader fault.
 CaseResult only_result(const JudgeReport& report, const std::string& name) {
@@ -81,6 +89,10 @@ ExerciseResult result_of(const JudgeReport& report) {
     ExerciseResult result;
     if (!report.planned || report.planned->empty()) {
         result.message = "the judge did not say which cases it runs";
+        return result;
+    }
+    if (!is_countable(*report.planned)) {
+        result.message = "the judge promised points that are no such number";
         return result;
     }
     result.verdict = Verdict::accepted;

@@ -38,8 +38,8 @@ JudgeReport read_judge_stream(int fd, Clock::time_point until);
 
 /// The result of an exercise from a judge's report; fails closed: points only
 /// for a case that was planned and reported, once, as accepted. A case that is
-/// missing or comes twice, one that was not planned, and a report without an
-/// end make the exercise a grader fault.
+/// missing or comes twice, one that was not planned, points that are negative
+/// or no number, and a report without an end make the exercise a grader fault.
 ExerciseResult result_of(const JudgeReport& report);
 
 }  // namespace course

@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <optional>
+
 #include "course/runner/compile.h"
+#include "course/runner/limits.h"
 #include "course/runner/temporary_folder.h"
 
 namespace course {
@@ -18,27 +21,46 @@ Finished run_step(std::vector<std::string> arguments) {
     return run(std::move(command), compiler_patience, most_compiler_output);
 }
 
+/// Runs the judge against the compiled submission.
+ExerciseResult judge_shared(Workplace& workplace, JudgeRun& run,
+                            const fs::path& shared) {
+    DescriptorPair control = socket_pair();
+    const Descriptor complaints = anonymous_file();
+    Process launcher = workplace.launch(shared, control.second, complaints);
+    control.second.reset();
+    run.control = std::move(control.first);
+    ExerciseResult result = run_judge(run);
+    run.control.reset();
+    launcher.end_within(std::chrono::seconds(2));
+    if (result.verdict == Verdict::grader_fault)
+        result.message += "\n" + last_bytes(complaints.get());
+    return result;
+}
+
 ExerciseResult judge_function(Workplace& workplace, JudgeRun run,
                               const fs::path& source) {
     const TemporaryFolder folder;
     const fs::path shared = folder / "submission.so";
     const Compiled compiled = workplace.compile(run.exercise, source, shared);
-    ExerciseResult result;
-    if (compiled.verdict == Verdict::accepted) {
-        DescriptorPair control = socket_pair();
-        const Descriptor complaints = anonymous_file();
-        Process launcher = workplace.launch(shared, control.second, complaints);
-        control.second.reset();
-        run.control = std::move(control.first);
-        result = run_judge(run);
-        run.control.reset();
-        launcher.end_within(std::chrono::seconds(2));
-        if (result.verdict == Verdict::grader_fault)
-            result.message += "\n" + last_bytes(complaints.get());
-    } else {
-        result = every_case(run.exercise, run.kind, compiled.verdict);
-    }
+    ExerciseResult result =
+        compiled.verdict == Verdict::accepted
+            ? judge_shared(workplace, run, shared)
+            : every_case(run.exercise, run.kind, compiled.verdict);
     if (result.message.empty()) result.message = compiled.messages;
+    return result;
+}
+
+/// A file that no student wrote by hand is not even opened.
+std::optional<ExerciseResult> too_large(const JudgeRun& run,
+                                        const fs::path& file) {
+    std::error_code no_file;
+    const std::uintmax_t size = fs::file_size(file, no_file);
+    const auto most = static_cast<std::uintmax_t>(Limits{}.source_kib) << 10;
+    if (no_file || size <= most) return std::nullopt;
+    ExerciseResult result =
+        every_case(run.exercise, run.kind, Verdict::compile_error);
+    result.message =
+        fmt::format("the file has {} bytes; at most {} are taken", size, most);
     return result;
 }
 
@@ -81,12 +103,13 @@ Process LocalWorkplace::launch(const fs::path& shared,
 
 ExerciseResult judge_submission(Workplace& workplace, const Exercise& exercise,
                                 const fs::path& file, JudgeKind kind,
-                                std::uint64_t seed) {
+                                const std::vector<std::uint64_t>& seeds) {
     try {
         JudgeRun run;
         run.exercise = exercise;
         run.kind = kind;
-        run.seed = seed;
+        run.seeds = seeds;
+        if (auto refused = too_large(run, file)) return *refused;
         if (!exercise.is_data)
             return judge_function(workplace, std::move(run), file);
         run.submitted = fs::absolute(file);

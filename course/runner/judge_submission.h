@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "course/runner/exercises.h"
 #include "course/runner/process.h"
@@ -48,11 +49,12 @@ public:
                    const Descriptor& complaints) override;
 };
 
-/// Judges one file. What goes wrong on our side is a grader fault with the
-/// reason as its message; nothing is thrown.
+/// Judges one file, once for each seed (see JudgeRun). What goes wrong on our
+/// side is a grader fault with the reason as its message; nothing is thrown.
 ExerciseResult judge_submission(Workplace& workplace, const Exercise& exercise,
                                 const std::filesystem::path& file,
-                                JudgeKind kind, std::uint64_t seed);
+                                JudgeKind kind,
+                                const std::vector<std::uint64_t>& seeds);
 
 /// The compile step's end as lab and grader understand it: `linked` has the
 /// output of the compiler.

@@ -28,6 +28,8 @@ struct Limits {
     /// The longest reply to one call, beside what the tables in it take: any
     /// right answer is far shorter, and a message is made of it when it fails.
     std::int32_t reply_kib = 256;
+    /// The longest file that is compiled.
+    std::int32_t source_kib = 4096;
 };
 
 }  // namespace course

@@ -25,16 +25,29 @@ std::string how_it_ended(int status) {
 }
 
 /// A submission that did not load says so in each of its cases; that becomes
-/// the message of the exercise.
+/// the message of the exercise. It is text of the worker's, who has seen what
+/// the case asked: only that of a shown case may be told.
 void lift_load_error(const Exercise& exercise, ExerciseResult& result) {
     for (CaseResult& c : result.cases) {
         if (c.verdict != Verdict::compile_error || c.failures.empty()) continue;
-        if (result.message.empty())
+        if (result.message.empty() && c.info.visibility == Visibility::shown)
             result.message = exercise.is_data
                                  ? c.failures[0].got
                                  : load_error_text(exercise, c.failures[0].got);
         c.failures.clear();
     }
+}
+
+/// A fault without a message of its own: what was wrong in the first case that
+/// has one.
+void lift_fault(ExerciseResult& result) {
+    if (result.verdict != Verdict::grader_fault || !result.message.empty())
+        return;
+    for (const CaseResult& c : result.cases)
+        if (c.verdict == Verdict::grader_fault && result.message.empty())
+            result.message = c.failures.empty()
+                                 ? "the judge said nothing of a case"
+                                 : c.failures[0].got;
 }
 
 /// Starts the judge, reads its report, and says how it ended when it broke.
@@ -59,6 +72,7 @@ ExerciseResult report_of(const Exercise& exercise, Command command,
         result.message += fmt::format(" ({}): {}", how_it_ended(status),
                                       last_bytes(complaints.get()));
     lift_load_error(exercise, result);
+    lift_fault(result);
     return result;
 }
 
@@ -67,8 +81,10 @@ ExerciseResult report_of(const Exercise& exercise, Command command,
 ExerciseResult run_judge(const JudgeRun& run) {
     constexpr int control = 3;
     Command command;
-    command.arguments = {judge_of(run.exercise, run.kind), "--seed",
-                         std::to_string(run.seed)};
+    command.arguments = {judge_of(run.exercise, run.kind)};
+    for (const std::uint64_t seed : run.seeds)
+        command.arguments.insert(command.arguments.end(),
+                                 {"--seed", std::to_string(seed)});
     if (run.control) {
         command.descriptors = {{run.control.get(), control}};
         command.arguments.insert(command.arguments.end(),
@@ -87,6 +103,7 @@ ExerciseResult every_case(const Exercise& exercise, JudgeKind kind,
     ExerciseResult result =
         report_of(exercise, std::move(command), std::chrono::seconds(20));
     if (result.cases.empty()) throw SystemError(result.message);
+    result.message.clear();
     for (CaseResult& c : result.cases) c.verdict = verdict;
     result.verdict = verdict;
     return result;

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cstdint>
 #include <filesystem>
+#include <vector>
 
 #include "course/runner/descriptors.h"
 #include "course/runner/exercises.h"
@@ -18,7 +19,10 @@ enum class JudgeKind { lab, grade, reference };
 struct JudgeRun {
     Exercise exercise;
     JudgeKind kind = JudgeKind::lab;
-    std::uint64_t seed = 1;
+    /// Every case is run once for each of them, in a fresh worker and on meshes
+    /// numbered and generated from it; it must pass each time, so that luck is
+    /// not enough.
+    std::vector<std::uint64_t> seeds = {1};
     /// The conversation with the launcher; none for data and for reference.
     Descriptor control;
     /// The submitted file of a data exercise.

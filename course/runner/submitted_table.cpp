@@ -1,10 +1,8 @@
 #include "course/runner/submitted_table.h"
 
-#include <fstream>
-#include <iterator>
-
 #include "course/runner/case_record.h"
 #include "course/runner/client.h"
+#include "course/runner/exercises.h"
 #include "course/runner/table_csv.h"
 
 namespace course {
@@ -20,9 +18,7 @@ void set_submitted_file(const std::string& path) {
 }
 
 std::vector<std::vector<std::optional<int>>> submitted_table() {
-    std::ifstream in(the_file, std::ios::binary);
-    const std::string text{std::istreambuf_iterator<char>(in),
-                           std::istreambuf_iterator<char>()};
+    const std::string text = read_file(the_file);
     try {
         return parse_table_csv(text);
     } catch (const CsvError& error) {

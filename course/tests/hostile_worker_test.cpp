@@ -487,6 +487,24 @@ TEST_CASE("failed calls without their text are run-time errors") {
     }
 }
 
+TEST_CASE("bytes after the text of a failed call are a run-time error") {
+    const std::string text = encode(std::string("because"));
+    for (const CallStatus status :
+         {CallStatus::out_of_table, CallStatus::too_many_reads})
+        check_verdict(replies(status, trace(0, {}) + text + "x"),
+                      Verdict::run_time_error, "trailing");
+    check_verdict(replies(CallStatus::threw, trace(0, {}) + text + text + "x"),
+                  Verdict::run_time_error, "trailing");
+    check_verdict(replies(CallStatus::not_loaded, text + "x"),
+                  Verdict::run_time_error, "trailing");
+}
+
+TEST_CASE("a failed call with an empty text still has a reason") {
+    check_verdict(
+        replies(CallStatus::out_of_table, trace(0, {}) + encode(std::string())),
+        Verdict::run_time_error, "no reason");
+}
+
 TEST_CASE("a text of the submission is cut before it fills a report") {
     Judge judge(replies(CallStatus::out_of_table,
                         trace(0, {}) + encode(std::string(900'000, 'x'))));
@@ -536,14 +554,14 @@ TEST_CASE("a forged account of a crash is read within its bounds") {
     check_verdict(forged("too short"), Verdict::run_time_error, "exit(0)");
 }
 
-TEST_CASE("a submission that does not load is asked once and for all") {
+TEST_CASE("what one worker says of loading holds for its case only") {
+    // The text may hold what the case asked, and other cases may be shown.
     Judge judge(replies(CallStatus::not_loaded, encode(std::string("no f"))));
-    for (int k = 0; k < 3; ++k) {
-        const Outcome outcome = judge.run_case();
-        CHECK(outcome.verdict == Verdict::compile_error);
-        CHECK(outcome.why == "no f");
-    }
-    CHECK(judge.workers() == 1);
+    const Outcome outcome = judge.run_case();
+    CHECK(outcome.verdict == Verdict::compile_error);
+    CHECK(outcome.why == "no f");
+    CHECK(judge.run_case().value == 4);
+    CHECK(judge.workers() == 2);
 }
 
 TEST_CASE("after a failure the case makes no more calls") {

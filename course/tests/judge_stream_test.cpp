@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <csignal>
+#include <limits>
 
 #include "course/runner/catch2.h"
 #include "course/runner/codec.h"
@@ -156,6 +157,19 @@ TEST_CASE("a verdict that does not exist is a grader fault") {
             {result("first", static_cast<Verdict>(number)), passed("second")}));
         CHECK(r.verdict == Verdict::grader_fault);
         CHECK(r.points() == 3);
+    }
+}
+
+TEST_CASE("points that are negative or no number are a grader fault") {
+    for (const double points :
+         {-1.0, 1e300, std::numeric_limits<double>::infinity(),
+          std::numeric_limits<double>::quiet_NaN()}) {
+        JudgeReport report = report_of({passed("first"), passed("second")});
+        report.planned->at(1).points = points;
+        const ExerciseResult r = result_of(report);
+        CHECK(r.verdict == Verdict::grader_fault);
+        CHECK(r.points() == 0);
+        CHECK(r.max() == 0);
     }
 }
 

@@ -31,7 +31,7 @@ ExerciseResult judged(const std::string& source) {
     std::ofstream(file) << include_contract << source;
     LocalWorkplace workplace;
     return judge_submission(workplace, exercise_named("face_sides"), file,
-                            JudgeKind::lab, 1);
+                            JudgeKind::lab, {1});
 }
 
 /// The whole first failure of the exercise, and its own message.
@@ -302,7 +302,7 @@ TEST_CASE("a file that is not there is a compile error, not a crash") {
     const TemporaryFolder folder;
     const ExerciseResult result =
         judge_submission(workplace, exercise_named("face_sides"),
-                         folder / "none.cpp", JudgeKind::lab, 1);
+                         folder / "none.cpp", JudgeKind::lab, {1});
     CHECK(result.verdict != Verdict::accepted);
     CHECK(result.points() == 0);
 }
@@ -313,7 +313,7 @@ TEST_CASE("an exercise that has no judge is a fault of the grader") {
     std::ofstream(folder / "x.cpp") << "int x;\n";
     const Exercise unknown{"01_traversal", "no_such_exercise", false};
     const ExerciseResult result = judge_submission(
-        workplace, unknown, folder / "x.cpp", JudgeKind::lab, 1);
+        workplace, unknown, folder / "x.cpp", JudgeKind::lab, {1});
     CHECK(result.verdict == Verdict::grader_fault);
     CHECK_FALSE(result.message.empty());
 }

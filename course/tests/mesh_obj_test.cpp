@@ -407,3 +407,12 @@ TEST_CASE("meshes that no file can hold are refused, and no file appears") {
     CHECK(std::filesystem::is_empty(folder.path()));
     CHECK_NOTHROW(write_obj(folder / "mesh.obj", good));
 }
+
+TEST_CASE("a file that is no mesh at all gives a thousand defects, no more") {
+    std::string text;
+    for (int k = 0; k < 5000; ++k) text += "x\n";
+    const std::vector<FileDefect> all = defects(text);
+    REQUIRE(all.size() == 1001);
+    CHECK(all[999].line == 1000);
+    CHECK(all[1000] == FileDefect{0, "and 4000 more"});
+}

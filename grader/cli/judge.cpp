@@ -6,6 +6,7 @@
 #include "course/report/explain.h"
 #include "course/report/text.h"
 #include "grader/cli/commands.h"
+#include "grader/pipeline/keys.h"
 
 namespace grader {
 
@@ -65,7 +66,8 @@ int judge_command(const Options& options) {
     const auto workplace = bench.workplace(0);
     const course::ExerciseResult result = course::judge_submission(
         *workplace, exercise, options.file, course::JudgeKind::grade,
-        options.judging.seed);
+        judging_seeds(options.judging.seed, options.judging.repeats,
+                      course::read_file(options.file)));
     if (options.json)
         print_json(exercise, result);
     else

@@ -1,9 +1,12 @@
 // grader run DIR --out OUT
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <atomic>
+#include <cerrno>
 #include <chrono>
 #include <csignal>
 #include <cstdio>
@@ -125,6 +128,21 @@ bool has_fault(const ClassResults& results) {
                        });
 }
 
+/// Two graders in one folder would grade everything twice. Given back by the
+/// system, also when this process is killed.
+course::Descriptor lock_folder(const fs::path& folder) {
+    course::Descriptor lock(
+        ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+    if (!lock) course::throw_errno("cannot open " + folder.string());
+    // Where a file system has no locks, the gradebook's own still hold.
+    if (::flock(lock.get(), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
+        throw CannotBegin(fmt::format(
+            "{}: another grader is at work there; wait for its end, or choose "
+            "another folder",
+            folder.string()));
+    return lock;
+}
+
 int run_command(const Options& options) {
     const auto all = course::all_exercises();
     const Assignment assignment = assignment_of(options, names_of(all));
@@ -136,9 +154,11 @@ int run_command(const Options& options) {
     const Bench bench(options.judging);
     run.only = options.only;
     run.seed = options.judging.seed;
+    run.repeats = options.judging.repeats;
     run.jobs = bench.jobs();
     run.isolation = bench.isolation_text();
     fs::create_directories(options.out);
+    const course::Descriptor lock = lock_folder(options.out);
     Gradebook gradebook(options.out / "gradebook.sqlite");
     std::signal(SIGINT, on_interrupt);
     std::signal(SIGTERM, on_interrupt);

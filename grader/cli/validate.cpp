@@ -38,12 +38,15 @@ void print(const std::vector<Validation>& validations) {
 }
 
 int validate_command(const Options& options) {
-    const std::vector<course::Exercise> exercises = chosen(options.names);
+    ValidationRun run;
+    run.exercises = chosen(options.names);
     const Bench bench(options.judging);
+    run.jobs = bench.jobs();
+    run.seed = options.judging.seed;
+    run.repeats = options.judging.repeats;
     const bool on_terminal = ::isatty(STDERR_FILENO) == 1;
     const auto validations = validate(
-        exercises, bench.jobs(), options.judging.seed,
-        [&](int lane) { return bench.workplace(lane); },
+        run, [&](int lane) { return bench.workplace(lane); },
         [&](int done, int all) {
             if (on_terminal)
                 fmt::print(stderr, "\r{} of {} submissions judged ", done, all);

@@ -38,17 +38,18 @@ struct Task {
 };
 
 ExerciseResult judge(const Task& task, course::Workplace& workplace,
-                     std::uint64_t seed) {
+                     const ClassRun& run) {
     const course::TemporaryFolder folder;
     const auto path = folder / task.exercise->file_name();
     std::ofstream out(path, std::ios::binary);
     out << task.file->bytes;
     out.close();
     if (!out) throw course::SystemError("cannot write " + path.string());
+    const auto seeds = judging_seeds(run.seed, run.repeats, task.file->bytes);
     ExerciseResult result;
     for (int k = 0; k < tries; ++k) {
         result = course::judge_submission(workplace, *task.exercise, path,
-                                          course::JudgeKind::grade, seed);
+                                          course::JudgeKind::grade, seeds);
         if (result.verdict != Verdict::grader_fault) break;
     }
     return result;
@@ -59,8 +60,8 @@ public:
     Grading(const ClassRun& run, Gradebook& gradebook)
         : run_(run),
           gradebook_(gradebook),
-          keys_(run.exercises,
-                fmt::format("seed {}, {}", run.seed, run.isolation)) {}
+          keys_(run.exercises, fmt::format("seed {}, {} times, {}", run.seed,
+                                           run.repeats, run.isolation)) {}
 
     ClassRunResult go(const WorkplaceMaker& make_workplace,
                       const std::function<void(const Progress&)>& progress,
@@ -123,9 +124,23 @@ void Grading::look_at(const Submission& submission) {
     }
 }
 
+/// A database browser may hold the gradebook for a while, and results that
+/// took hours must not be lost by that.
+void record_patiently(Gradebook& gradebook, int run, const Attempt& attempt) {
+    constexpr int most = 20;  // each waits for some seconds
+    for (int k = 1;; ++k) {
+        try {
+            return gradebook.record(run, attempt);
+        } catch (const GradebookLocked&) {
+            if (k == most) throw;
+        }
+    }
+}
+
 void Grading::record(const Task& task, const ExerciseResult& result) {
-    gradebook_.record(number_, {task.submission->id, task.exercise->full_name(),
-                                task.key, result, now()});
+    record_patiently(gradebook_, number_,
+                     {task.submission->id, task.exercise->full_name(), task.key,
+                      result, now()});
     ++result_.judged;
     if (result.verdict == Verdict::grader_fault) ++result_.faults;
 }
@@ -145,7 +160,7 @@ ClassRunResult Grading::go(const WorkplaceMaker& make_workplace,
         [&](int lane, int item) {
             const Task& task = tasks_[static_cast<std::size_t>(item)];
             const ExerciseResult result =
-                judge(task, *make_workplace(lane), run_.seed);
+                judge(task, *make_workplace(lane), run_);
             const std::scoped_lock lock(guard);
             record(task, result);
             progress({result_.judged, all, result_.faults});

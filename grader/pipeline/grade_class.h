@@ -20,6 +20,7 @@ struct ClassRun {
     SubmittedClass submitted;
     std::string only;  ///< id or folder name of one student, or empty
     std::uint64_t seed = 1;
+    int repeats = 2;  ///< how often each case is judged
     int jobs = 1;
     std::string isolation;  ///< in words
 };

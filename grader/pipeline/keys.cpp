@@ -55,6 +55,18 @@ std::string sha256(std::string_view bytes) {
     return text;
 }
 
+std::vector<std::uint64_t> judging_seeds(std::uint64_t seed, int repeats,
+                                         std::string_view source) {
+    constexpr std::size_t digits = 8;  // suites reckon with multiples of it
+    std::vector<std::uint64_t> seeds;
+    for (int k = 0; k < repeats; ++k) {
+        const std::string hash =
+            sha256(fmt::format("{} {} {}", seed, k, sha256(source)));
+        seeds.push_back(std::stoull(hash.substr(0, digits), nullptr, 16));
+    }
+    return seeds;
+}
+
 Keys::Keys(const std::vector<course::Exercise>& exercises,
            const std::string& surroundings) {
     const std::string worker =

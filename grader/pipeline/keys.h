@@ -2,6 +2,7 @@
 // nothing is judged twice.
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <string>
 #include <string_view>
@@ -13,6 +14,12 @@ namespace grader {
 
 /// SHA-256 in hexadecimal.
 std::string sha256(std::string_view bytes);
+
+/// The seeds that a submission is judged with, one for each repetition: other
+/// ones for each source, so that no answer can be prepared for them, and always
+/// the same ones for the same source and seed of the run.
+std::vector<std::uint64_t> judging_seeds(std::uint64_t seed, int repeats,
+                                         std::string_view source);
 
 /// Keys of submissions under this build: source, suite, headers, flags,
 /// compiler, worker, limits, seed and isolation all go in.

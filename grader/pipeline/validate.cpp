@@ -6,6 +6,7 @@
 #include <atomic>
 #include <mutex>
 
+#include "grader/pipeline/keys.h"
 #include "grader/pipeline/pool.h"
 
 namespace grader {
@@ -28,6 +29,7 @@ struct Trial {
     Role role;
     fs::path file;
     Verdict expected = Verdict::accepted;
+    std::uint64_t seed = 1;  ///< in process only
     ExerciseResult result{};
 };
 
@@ -99,7 +101,12 @@ std::vector<Trial> trials_of(std::size_t index, Validation& validation) {
     look_at_files(validation);
     if (!validation.complaints.empty()) return trials;
     const fs::path solution = solution_of(exercise);
-    trials.push_back({index, Role::reference_in_process, solution});
+    // Each submission is judged with seeds of its own: the suite must be right
+    // with any. The first few stand for them.
+    constexpr std::uint64_t seeds = 8;
+    for (std::uint64_t seed = 1; seed <= seeds; ++seed)
+        trials.push_back({index, Role::reference_in_process, solution,
+                          Verdict::accepted, seed});
     trials.push_back({index, Role::reference, solution});
     trials.push_back({index, Role::skeleton, exercise.skeleton()});
     const std::size_t others = trials.size();
@@ -112,17 +119,24 @@ std::vector<Trial> trials_of(std::size_t index, Validation& validation) {
     return trials;
 }
 
-ExerciseResult carry_out(const Trial& trial, const course::Exercise& exercise,
-                         std::uint64_t seed, course::Workplace& workplace) {
-    if (trial.role != Role::reference_in_process)
-        return course::judge_submission(workplace, exercise, trial.file,
-                                        course::JudgeKind::grade, seed);
+ExerciseResult in_process(const Trial& trial,
+                          const course::Exercise& exercise) {
     course::JudgeRun run;
     run.exercise = exercise;
     run.kind = course::JudgeKind::reference;
-    run.seed = seed;
+    run.seeds = {trial.seed};
     if (exercise.is_data) run.submitted = trial.file;
     return course::run_judge(run);
+}
+
+ExerciseResult carry_out(const Trial& trial, const ValidationRun& run,
+                         course::Workplace& workplace) {
+    const course::Exercise& exercise = run.exercises[trial.exercise];
+    if (trial.role == Role::reference_in_process)
+        return in_process(trial, exercise);
+    return course::judge_submission(
+        workplace, exercise, trial.file, course::JudgeKind::grade,
+        judging_seeds(run.seed, run.repeats, course::read_file(trial.file)));
 }
 
 /// The first thing that went wrong, in one line.
@@ -139,13 +153,16 @@ std::string first_trouble(const ExerciseResult& result) {
 }
 
 void judge_reference(Validation& validation, const ExerciseResult& result,
-                     const char* where) {
-    validation.max = result.max();
-    validation.cases = static_cast<int>(result.cases.size());
+                     const std::string& where) {
     if (result.verdict != Verdict::accepted)
         validation.complaints.push_back(
             fmt::format("the reference, {}: {}, expected accepted: {}", where,
                         words(result.verdict), first_trouble(result)));
+}
+
+void judge_cases(Validation& validation, const ExerciseResult& result) {
+    validation.max = result.max();
+    validation.cases = static_cast<int>(result.cases.size());
     for (const auto& c : result.cases) {
         if (c.hint.empty())
             validation.complaints.push_back(
@@ -191,8 +208,11 @@ void judge_wrong(Validation& validation, const Trial& trial) {
 void conclude(Validation& validation, const Trial& trial) {
     switch (trial.role) {
         case Role::reference_in_process:
-            return judge_reference(validation, trial.result, "in process");
+            return judge_reference(
+                validation, trial.result,
+                fmt::format("in process, seed {}", trial.seed));
         case Role::reference:
+            judge_cases(validation, trial.result);
             return judge_reference(validation, trial.result, "in a worker");
         case Role::skeleton:
             return judge_skeleton(validation, trial.result);
@@ -204,9 +224,9 @@ void conclude(Validation& validation, const Trial& trial) {
 }  // namespace
 
 std::vector<Validation> validate(
-    const std::vector<course::Exercise>& exercises, int jobs,
-    std::uint64_t seed, const WorkplaceMaker& make_workplace,
+    const ValidationRun& run, const WorkplaceMaker& make_workplace,
     const std::function<void(int done, int all)>& progress) {
+    const std::vector<course::Exercise>& exercises = run.exercises;
     std::vector<Validation> validations;
     std::vector<Trial> trials;
     for (std::size_t k = 0; k < exercises.size(); ++k) {
@@ -217,10 +237,9 @@ std::vector<Validation> validate(
     const int all = static_cast<int>(trials.size());
     std::atomic<int> done = 0;
     std::mutex guard;
-    for_each_item(jobs, all, [&](int lane, int item) {
+    for_each_item(run.jobs, all, [&](int lane, int item) {
         Trial& trial = trials[static_cast<std::size_t>(item)];
-        trial.result = carry_out(trial, exercises[trial.exercise], seed,
-                                 *make_workplace(lane));
+        trial.result = carry_out(trial, run, *make_workplace(lane));
         const int now = ++done;
         const std::scoped_lock lock(guard);
         progress(now, all);

@@ -29,11 +29,17 @@ struct Validation {
 using WorkplaceMaker =
     std::function<std::unique_ptr<course::Workplace>(int lane)>;
 
+struct ValidationRun {
+    std::vector<course::Exercise> exercises;
+    int jobs = 1;
+    std::uint64_t seed = 1;
+    int repeats = 2;  ///< as in grading
+};
+
 /// Validates the exercises, several trials at a time. `progress` is called
 /// with the number of trials done and of all.
 std::vector<Validation> validate(
-    const std::vector<course::Exercise>& exercises, int jobs,
-    std::uint64_t seed, const WorkplaceMaker& make_workplace,
+    const ValidationRun& run, const WorkplaceMaker& make_workplace,
     const std::function<void(int done, int all)>& progress);
 
 }  // namespace grader

@@ -24,7 +24,7 @@ Descriptor open_folder(const fs::path& folder) {
 /// A folder that is not locked may be one that is just being made.
 bool is_old(const struct stat& status) {
     constexpr std::time_t a_minute = 60;
-    return std::time(nullptr) - status.st_ctime > a_minute;
+    return std::time(nullptr) - status.st_mtime > a_minute;
 }
 
 bool is_stale(const fs::path& folder) {

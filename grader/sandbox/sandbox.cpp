@@ -438,8 +438,8 @@ course::Compiled Sandbox::compile(const course::Exercise& exercise,
                    compiling.group_mib, compiling.processes);
     const Descriptor status = course::anonymous_file();
     course::Command command;
-    command.environment = {"PATH=/usr/bin:/bin", "LC_ALL=C.UTF-8",
-                           "TMPDIR=" + scratch_beside(copy).string()};
+    command.environment = course::plain_environment();
+    command.environment.push_back("TMPDIR=" + scratch_beside(copy).string());
     command.arguments = entering(stage_, slot_, compiling, group_);
     append(command.arguments,
            wrapped ? compile_under_bubblewrap(stage_, exercise, copy)
@@ -467,7 +467,10 @@ course::Process Sandbox::launch(const fs::path& shared,
     group_.emplace(stage_.groups(), fmt::format("run-{}", slot_),
                    running.group_mib, running.processes);
     course::Command command;
-    command.environment = {"LC_ALL=C.UTF-8"};
+    if (isolation_ == Isolation::bubblewrap)  // which clears it inside
+        command.environment = course::plain_environment();
+    else
+        command.environment = {"LC_ALL=C.UTF-8"};
     command.arguments = entering(stage_, slot_, running, group_);
     append(command.arguments, isolation_ == Isolation::bubblewrap
                                   ? run_under_bubblewrap(stage_, shared)

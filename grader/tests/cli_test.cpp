@@ -1,41 +1,16 @@
 // The grader's program as it is built: help, usage errors, exit codes, and the
 // shape of what `judge --json` prints.
-#include <sys/wait.h>
-
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "course/runner/catch2.h"
-#include "course/runner/exercises.h"
-#include "course/runner/process.h"
 #include "course/runner/temporary_folder.h"
-#include "grader/sandbox/sandbox.h"
+#include "grader/tests/grader_program.h"
 
 namespace fs = std::filesystem;
 
+using namespace grader::tests;
+
 namespace {
-
-struct Said {
-    int code = -1;
-    std::string text;
-};
-
-Said grader_says(const std::vector<std::string>& arguments) {
-    course::Command command;
-    command.arguments = {course::build_root() / "grader" / "grader"};
-    command.arguments.insert(command.arguments.end(), arguments.begin(),
-                             arguments.end());
-    command.environment = course::plain_environment();
-    const course::Finished finished =
-        course::run(command, std::chrono::seconds(300), std::size_t{1} << 22);
-    REQUIRE_FALSE(finished.timed_out);
-    REQUIRE(WIFEXITED(finished.status));
-    return {WEXITSTATUS(finished.status), finished.output};
-}
-
-bool contains(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-}
 
 void check_usage_error(const std::vector<std::string>& arguments,
                        const std::string& words) {
@@ -43,15 +18,6 @@ void check_usage_error(const std::vector<std::string>& arguments,
     INFO(said.text);
     CHECK(said.code == 2);
     CHECK(contains(said.text, words));
-}
-
-/// Whether the grader judges here without being told that it may.
-bool has_sandbox() {
-    const grader::Stage stage;
-    const grader::Probe probe = grader::probe(stage);
-    if (probe.isolation != grader::Isolation::none) return true;
-    WARN("skipped, no isolation on this machine: " << probe.reason);
-    return false;
 }
 
 /// `judge face_sides --json` of this source.

@@ -64,6 +64,15 @@ std::optional<ExerciseResult> too_large(const JudgeRun& run,
     return result;
 }
 
+/// The compiler's driver says only that one of its programs was killed.
+bool is_at_its_limits(const std::string& output) {
+    for (const char* words :
+         {"signal terminated program", "out of memory allocating",
+          "virtual memory exhausted", "unable to execute command"})
+        if (output.find(words) != std::string::npos) return true;
+    return false;
+}
+
 }  // namespace
 
 Compiled compiled_from(const Finished& finished,
@@ -72,8 +81,14 @@ Compiled compiled_from(const Finished& finished,
         return {Verdict::compile_error,
                 fmt::format("the compiler was stopped after {} s\n{}",
                             patience.count() / 1000, finished.output)};
-    return {finished.status == 0 ? Verdict::accepted : Verdict::compile_error,
-            for_students(finished.output)};
+    if (finished.status == 0)
+        return {Verdict::accepted, for_students(finished.output)};
+    const std::string why =
+        is_at_its_limits(finished.output)
+            ? "the compiler was stopped at its limits of time, memory or file "
+              "size: what in the file makes it work without end?\n"
+            : "";
+    return {Verdict::compile_error, why + for_students(finished.output)};
 }
 
 Compiled LocalWorkplace::compile(const Exercise& exercise,

@@ -1,25 +1,21 @@
 #include "grader/pipeline/ingest.h"
 
-#include <dirent.h>
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/stat.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <array>
-#include <cctype>
 #include <cerrno>
 #include <cstring>
-#include <deque>
-#include <memory>
 #include <optional>
 #include <string_view>
 #include <utility>
 
-#include "course/runner/descriptors.h"
-#include "course/runner/nearest.h"
+#include "grader/pipeline/archive_paths.h"
+#include "grader/pipeline/collector.h"
 #include "grader/pipeline/safe_id.h"
+#include "grader/pipeline/submitted_names.h"
+#include "grader/pipeline/walk.h"
 
 namespace grader {
 
@@ -27,349 +23,260 @@ namespace {
 
 using course::Descriptor;
 
-constexpr std::size_t most_notes = 40;
-constexpr std::size_t most_names_in_a_note = 10;
+constexpr std::size_t most_notes_on_a_class = 400;
+constexpr unsigned seconds_for_a_class = 1200;  // of CPU
 
-// ---- folders, by descriptor: no component of a path may be a link
-
-Descriptor open_folder(int parent, const std::string& name) {
-    return Descriptor(openat(parent, name.c_str(),
-                             O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
-}
-
-/// The folder `path` ("a/b", or "" for `root` itself) below `root`.
-Descriptor open_below(int root, std::string_view path) {
-    Descriptor folder = open_folder(root, ".");
-    while (folder && !path.empty()) {
-        const std::size_t slash = std::min(path.find('/'), path.size());
-        folder = open_folder(folder.get(), std::string(path.substr(0, slash)));
-        path.remove_prefix(std::min(slash + 1, path.size()));
-    }
-    return folder;
-}
-
-struct Listing {
-    std::vector<std::string> names;  ///< sorted
-    bool whole = true;               ///< false: there are more
-};
-
-/// The names in a folder, at most `most` of them.
-Listing names_in(int folder, std::size_t most) {
-    Listing listing;
-    const int copy = fcntl(folder, F_DUPFD_CLOEXEC, 0);
-    const std::unique_ptr<DIR, int (*)(DIR*)> stream(fdopendir(copy), closedir);
-    if (!stream) {
-        close(copy);
-        return listing;
-    }
-    while (const dirent* entry = readdir(stream.get())) {
-        const std::string name = entry->d_name;
-        if (name == "." || name == "..") continue;
-        listing.whole = listing.names.size() < most;
-        if (!listing.whole) break;
-        listing.names.push_back(name);
-    }
-    std::sort(listing.names.begin(), listing.names.end());
-    return listing;
-}
-
-enum class Kind { file, folder, link, other, gone };
-
-Kind kind_of(int folder, const std::string& name) {
-    struct stat status {};
-    if (fstatat(folder, name.c_str(), &status, AT_SYMLINK_NOFOLLOW) != 0)
-        return Kind::gone;
-    if (S_ISREG(status.st_mode)) return Kind::file;
-    if (S_ISDIR(status.st_mode)) return Kind::folder;
-    return S_ISLNK(status.st_mode) ? Kind::link : Kind::other;
-}
-
-/// Folders that tools leave behind and that hold no submission.
-bool is_left_behind(std::string_view name) {
-    return name.starts_with('.') || name == "__MACOSX";
-}
-
-// ---- names that are not quite right
-
-std::string lower(std::string_view text) {
-    std::string small(text);
-    for (char& c : small)
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-    return small;
-}
-
-bool strip_suffix(std::string& text, std::string_view suffix) {
-    if (!text.ends_with(suffix)) return false;
-    text.resize(text.size() - suffix.size());
-    return true;
-}
-
-/// "face_sides" of "Face-Sides (1).cpp.txt": what a copy, a browser or a file
-/// manager adds is taken away.
-std::string bare_stem(std::string_view file_name) {
-    std::string stem = lower(file_name.substr(0, file_name.find('.')));
-    for (char& c : stem)
-        if (c == ' ' || c == '-') c = '_';
-    strip_suffix(stem, "copy");
-    strip_suffix(stem, "copia");
-    strip_suffix(stem, ")");
-    while (!stem.empty() && stem.back() >= '0' && stem.back() <= '9')
-        stem.pop_back();
-    strip_suffix(stem, "(");
-    while (strip_suffix(stem, "_")) continue;
-    return stem;
-}
-
-/// A header or a note beside the file is no mistake.
-bool is_companion(std::string_view file_name) {
-    constexpr std::array<std::string_view, 4> ends = {".h", ".hpp", ".md",
-                                                      ".o"};
-    return std::any_of(ends.begin(), ends.end(), [&](std::string_view end) {
-        return file_name.ends_with(end);
-    });
-}
-
-/// The file name that was meant by one that is not among them, if it is near.
-std::optional<std::string> meant_by(
-    std::string_view name, const std::vector<std::string>& file_names) {
-    if (is_companion(name)) return std::nullopt;
-    const std::string stem = bare_stem(name);
-    std::optional<std::string> best;
-    std::size_t least = 3;  // two letters wrong, and one at a third of the name
-    for (const std::string& wanted : file_names) {
-        const std::string right = bare_stem(wanted);
-        const std::size_t distance = course::edit_distance(stem, right);
-        if (distance >= least || 3 * distance > right.size()) continue;
-        best = wanted;
-        least = distance;
-    }
-    return best;
-}
-
-// ---- one file
-
-/// Either the bytes of a file or why it was refused.
-struct ReadFile {
-    std::optional<std::string> bytes;
-    std::string why_not;
-};
-
-ReadFile refused_by_system() {
-    return {{},
-            fmt::format("cannot be read ({}): refused", std::strerror(errno))};
-}
-
-ReadFile read_bytes(int fd, std::size_t size) {
-    std::string bytes(size + 1, '\0');  // one more, to see whether it grows
-    std::size_t done = 0;
-    while (done < bytes.size()) {
-        const ssize_t got = read(fd, bytes.data() + done, bytes.size() - done);
-        if (got < 0 && errno == EINTR) continue;
-        if (got < 0) return refused_by_system();
-        if (got == 0) break;
-        done += static_cast<std::size_t>(got);
-    }
-    if (done > size) return {{}, "grew while it was read: refused"};
-    bytes.resize(done);
-    return {std::move(bytes), {}};
-}
-
-/// Opens without following a link and without waiting for a FIFO's writer, and
-/// looks at what was opened, not at what stood there before.
-ReadFile read_file(int folder, const std::string& name, std::size_t most) {
-    const Descriptor file(
-        openat(folder, name.c_str(),
-               O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY | O_CLOEXEC));
-    struct stat status {};
-    if (!file || fstat(file.get(), &status) != 0) return refused_by_system();
-    if (!S_ISREG(status.st_mode)) return {{}, "is not a regular file: refused"};
-    const auto size = static_cast<std::size_t>(status.st_size);
-    if (size > most)
-        return {{},
-                fmt::format("has {} bytes; at most {} are taken: refused", size,
-                            most)};
-    return read_bytes(file.get(), size);
-}
-
-// ---- one submission
-
-/// Walks through the folder of one student, least deep folders first.
-class Collector {
+/// The students of a class, by what they have in its folder or archive.
+class ClassCollector {
 public:
-    Collector(int root, const std::vector<std::string>& file_names,
-              const IngestLimits& limits, Submission& to)
-        : root_(root), file_names_(file_names), limits_(limits), to_(to) {}
+    ClassCollector(const std::vector<std::string>& file_names,
+                   const IngestLimits& limits)
+        : file_names_(file_names),
+          limits_(limits),
+          notes_(most_notes_on_a_class) {}
 
-    void collect() {
-        std::deque<Folder> waiting = {{"", 0}};
-        while (!waiting.empty()) {
-            const Folder folder = waiting.front();
-            waiting.pop_front();
-            if (!visit(folder, waiting)) break;
-        }
-        for (const std::string& name : file_names_) take(name);
-        if (!others_.empty())
-            note(fmt::format("ignored, as no exercise asks for them: {}",
-                             names(others_)));
-        if (silent_ > 0)
-            to_.notes.push_back(fmt::format("and {} more notes", silent_));
+    Collector& folder(const std::string& student) {
+        return folders_.try_emplace(student, student, file_names_, limits_)
+            .first->second;
+    }
+
+    /// "anna.zip", the submission of anna.
+    Collector& archive(const std::string& file_name) {
+        return archives_
+            .try_emplace(file_name, std::string(archive_stem(file_name)),
+                         file_names_, limits_)
+            .first->second;
+    }
+
+    void note(std::string text) { notes_.add(std::move(text)); }
+
+    /// Something else beside the students' folders; noted once.
+    void ignore(const std::string& name) {
+        if (ignored_.insert(name).second)
+            note(name + ": ignored; expected a folder for each student");
+    }
+
+    SubmittedClass finish() {
+        for (auto& [file_name, collector] : archives_)
+            take_archive(file_name, std::move(collector));
+        SubmittedClass all;
+        for (auto& [student, collector] : folders_)
+            all.submissions.push_back(collector.finish());
+        all.notes = notes_.take();
+        return all;
     }
 
 private:
-    struct Folder {
-        std::string path;  ///< below the student's; "" is the student's own
-        int depth;
-    };
-
-    void note(std::string text) {
-        if (to_.notes.size() < most_notes)
-            to_.notes.push_back(std::move(text));
-        else
-            ++silent_;
-    }
-
-    static std::string names(const std::vector<std::string>& paths) {
-        std::string text;
-        for (std::size_t k = 0; k < paths.size(); ++k) {
-            if (k == most_names_in_a_note)
-                return text + fmt::format(" and {} more", paths.size() - k);
-            text += (k > 0 ? ", " : "") + paths[k];
+    /// Unless she has a folder, too, or another archive before it.
+    void take_archive(const std::string& file_name, Collector&& collector) {
+        const std::string student(archive_stem(file_name));
+        const auto taken = folders_.find(student);
+        if (taken == folders_.end()) {
+            folders_.emplace(student, std::move(collector));
+            from_.emplace(student, file_name);
+            return;
         }
-        return text;
+        const auto archive = from_.find(student);
+        const std::string text = fmt::format(
+            "{}: ignored, as {} is there as well and counts", file_name,
+            archive == from_.end() ? "the folder " + student + "/"
+                                   : archive->second);
+        note(text);
+        taken->second.note(text);
     }
 
-    /// False when the submission is too large to be looked at further. Which
-    /// entries a system lists first is chance: a folder counts as a whole.
-    bool visit(const Folder& folder, std::deque<Folder>& waiting) {
-        const Descriptor fd = open_below(root_, folder.path);
-        if (!fd) {
-            note(fmt::format("the folder {}/ cannot be read ({})", folder.path,
-                             std::strerror(errno)));
-            return true;
-        }
-        const auto left = static_cast<std::size_t>(limits_.entries) - seen_;
-        const Listing listing = names_in(fd.get(), left);
-        if (!listing.whole) {
-            note(
-                fmt::format("at most {} files and folders are looked at, and "
-                            "{}/ has more than are left: it and what follows "
-                            "it was left out",
-                            limits_.entries, folder.path));
-            return false;
-        }
-        seen_ += listing.names.size();
-        for (const std::string& name : listing.names)
-            look_at(folder, name, kind_of(fd.get(), name), waiting);
-        return true;
-    }
-
-    void look_at(const Folder& folder, const std::string& name, Kind kind,
-                 std::deque<Folder>& waiting) {
-        const std::string path =
-            folder.path.empty() ? name : folder.path + "/" + name;
-        if (kind == Kind::file)
-            look_at_file(path, name);
-        else if (kind == Kind::link)
-            note(path +
-                 ": is a symbolic link, and links are never followed: "
-                 "refused");
-        else if (kind == Kind::other)
-            note(path + ": is not a regular file: refused");
-        else if (kind == Kind::folder && is_left_behind(name))
-            others_.push_back(path + "/");
-        else if (kind == Kind::folder && folder.depth == limits_.folders)
-            note(
-                fmt::format("{}/: lies more than {} folders deep: not looked "
-                            "at",
-                            path, limits_.folders));
-        else if (kind == Kind::folder)
-            waiting.push_back({path, folder.depth + 1});
-    }
-
-    void look_at_file(const std::string& path, const std::string& name) {
-        if (std::count(file_names_.begin(), file_names_.end(), name) > 0)
-            found_[name].push_back(path);
-        else if (const auto meant = meant_by(name, file_names_))
-            note(
-                fmt::format("{}: ignored, as file names must be exact; did "
-                            "you mean {}?",
-                            path, *meant));
-        else
-            others_.push_back(path);
-    }
-
-    /// The first of the files of that name that can be read.
-    void take(const std::string& name) {
-        std::vector<std::string> passed_over;
-        std::string taken;
-        for (const std::string& path : found_[name]) {
-            if (!taken.empty())
-                passed_over.push_back(path);
-            else if (read(path, name))
-                taken = path;
-        }
-        if (!passed_over.empty())
-            note(fmt::format("{} is there {} times: {} was taken, ignored: {}",
-                             name, passed_over.size() + 1, taken,
-                             names(passed_over)));
-    }
-
-    bool read(const std::string& path, const std::string& name) {
-        const std::size_t parent = path.size() - name.size();
-        const Descriptor folder =
-            open_below(root_, path.substr(0, parent > 0 ? parent - 1 : 0));
-        ReadFile file = read_file(folder.get(), name, limits_.file_bytes);
-        if (!file.bytes) {
-            note(path + ": " + file.why_not);
-            return false;
-        }
-        if (bytes_ + file.bytes->size() > limits_.total_bytes) {
-            note(
-                fmt::format("{}: at most {} bytes of a student are taken in "
-                            "all, and this file has {} more: refused",
-                            path, limits_.total_bytes, file.bytes->size()));
-            return false;
-        }
-        bytes_ += file.bytes->size();
-        to_.files[name] = {std::move(*file.bytes), path};
-        return true;
-    }
-
-    int root_;
     const std::vector<std::string>& file_names_;
     const IngestLimits& limits_;
-    Submission& to_;
-    std::map<std::string, std::vector<std::string>> found_;
-    std::vector<std::string> others_;
-    std::size_t seen_ = 0;
-    std::size_t bytes_ = 0;
-    std::size_t silent_ = 0;
+    Notes notes_;
+    std::set<std::string> ignored_;
+    std::map<std::string, Collector> folders_;
+    std::map<std::string, Collector> archives_;
+    std::map<std::string, std::string> from_;  ///< archive taken of a student
 };
 
-// ---- the class
+// ---- a folder of a class
 
-Submission collect(int dir, const std::string& student,
-                   const std::vector<std::string>& file_names,
-                   const IngestLimits& limits) {
-    Submission submission;
-    submission.student = student;
-    const Descriptor root = open_folder(dir, student);
-    if (root)
-        Collector(root.get(), file_names, limits, submission).collect();
-    else
-        submission.notes.push_back(fmt::format("the folder cannot be read ({})",
-                                               std::strerror(errno)));
-    return submission;
+void look_at_student(int dir, const std::string& name,
+                     const IngestLimits& limits, ClassCollector& to) {
+    const FileKind kind = kind_of(dir, name);
+    if (kind == FileKind::link) {
+        to.note(name +
+                ": is a symbolic link, and links are never followed: ignored");
+    } else if (is_left_behind(name)) {
+        to.ignore(name);
+    } else if (kind == FileKind::folder) {
+        Collector& student = to.folder(name);
+        if (const Descriptor root = open_folder(dir, name))
+            walk_folder(root.get(), limits, student);
+        else
+            student.note(fmt::format("the folder cannot be read ({})",
+                                     std::strerror(errno)));
+    } else if (kind == FileKind::file && archive_format(name)) {
+        look_at_file(dir, name, name, limits, to.archive(name));
+    } else {
+        to.ignore(name);
+    }
 }
 
+// ---- an archive of a class
+
+/// "anna" and "week1/prev.cpp" of "anna/week1/prev.cpp".
+struct StudentPath {
+    std::string student, rest;
+};
+
+StudentPath split(std::string_view path) {
+    const std::size_t slash = std::min(path.find('/'), path.size());
+    return {std::string(path.substr(0, slash)),
+            std::string(path.substr(std::min(slash + 1, path.size())))};
+}
+
+/// Hands the entries of a class's archive to its students.
+class ClassArchive {
+public:
+    ClassArchive(const std::vector<std::string>& file_names,
+                 const IngestLimits& limits, ClassCollector& to)
+        : names_({}, file_names, limits), limits_(limits), to_(to) {}
+
+    /// How much is wanted of the file of that path.
+    std::optional<std::size_t> most_bytes(std::string_view path) const {
+        const auto [student, rest] = split(path);
+        if (is_left_behind(student)) return std::nullopt;
+        if (rest.empty())
+            return archive_format(student)
+                       ? std::optional(limits_.archive_bytes)
+                       : std::nullopt;
+        if (names_.wants(name_in(rest)) && is_open(folder_of(rest)))
+            return limits_.file_bytes;
+        if (opened_as(name_in(rest), names_) && is_open(rest))
+            return limits_.archive_bytes;
+        return std::nullopt;
+    }
+
+    void take(ArchiveEntry entry) {
+        const auto [student, rest] = split(entry.path);
+        if (entry.kind == ArchiveEntry::Kind::refused)
+            take_refused(entry, student, rest);
+        else if (is_left_behind(student))
+            to_.ignore(student);
+        else if (entry.kind == ArchiveEntry::Kind::folder)
+            take_folder(student, rest);
+        else if (rest.empty())
+            take_beside(student, entry);
+        else
+            take_file(student, rest, entry);
+    }
+
+private:
+    bool is_open(std::string_view folder) const {
+        return way_to(folder, limits_).entrance == Entrance::open;
+    }
+
+    /// The note stands with the student in whose folder the entry claims to be.
+    void take_refused(ArchiveEntry& entry, const std::string& student,
+                      const std::string& rest) {
+        const bool is_name = !student.empty() && why_refused(student).empty() &&
+                             !is_left_behind(student);
+        if (is_name && !rest.empty()) {
+            entry.path = rest;
+            to_.folder(student).note(refusal_of(entry, ""));
+        } else if (is_name && archive_format(student)) {
+            to_.archive(student).note(refusal_of(entry, ""));
+        } else {
+            to_.note(refusal_of(entry, ""));
+        }
+    }
+
+    void take_folder(const std::string& student, const std::string& rest) {
+        if (student.empty()) return;  // the folder of the class
+        Collector& collector = to_.folder(student);
+        if (!rest.empty() && collector.enters(rest))
+            has_room(student, collector);
+    }
+
+    void take_beside(const std::string& name, const ArchiveEntry& entry) {
+        if (const auto format = archive_format(name))
+            open_archive(*entry.bytes, *format, name, limits_,
+                         to_.archive(name));
+        else
+            to_.ignore(name);
+    }
+
+    void take_file(const std::string& student, const std::string& path,
+                   ArchiveEntry& entry) {
+        Collector& collector = to_.folder(student);
+        if (!collector.enters(folder_of(path)) || !has_room(student, collector))
+            return;
+        const auto format = opened_as(name_in(path), collector);
+        if (collector.wants(name_in(path)))
+            collector.offer(path, [&] {
+                return ReadFile{std::move(entry.bytes), {}};
+            });
+        else if (!format)
+            collector.pass_over(path);
+        else if (collector.enters(path))
+            open_archive(*entry.bytes, *format, path, limits_, collector);
+    }
+
+    /// Counts one entry of the student; what is too much is noted once.
+    bool has_room(const std::string& student, Collector& collector) {
+        if (collector.count_entries(1)) return true;
+        if (full_.insert(student).second)
+            collector.note(
+                fmt::format("at most {} files and folders are looked at, and "
+                            "there are more: what follows in the archive was "
+                            "left out",
+                            limits_.entries));
+        return false;
+    }
+
+    const Collector names_;  ///< of no student: knows the exercises' files
+    const IngestLimits& limits_;
+    ClassCollector& to_;
+    std::set<std::string> full_;
+};
+
+void read_class_archive(const std::filesystem::path& path, int file,
+                        const std::vector<std::string>& file_names,
+                        const IngestLimits& limits, ClassCollector& to) {
+    const auto format = archive_format(path.filename().string());
+    if (!format)
+        throw IngestError(fmt::format(
+            "{}: is neither a folder nor an archive (.zip, .tar, .tar.gz, "
+            ".tgz, .tar.bz2, .tar.xz, .tar.zst)",
+            path.string()));
+    ClassArchive archive(file_names, limits, to);
+    try {
+        read_archive_confined(
+            file, *format,
+            {limits.class_entries, limits.class_bytes,
+             std::max(limits.file_bytes, limits.archive_bytes)},
+            seconds_for_a_class,
+            [&](std::string_view entry) { return archive.most_bytes(entry); },
+            [&](ArchiveEntry entry) { archive.take(std::move(entry)); });
+    } catch (const ArchiveError& error) {
+        throw IngestError(
+            fmt::format("{}: {}; the archive of a class is read as a whole or "
+                        "not at all",
+                        path.string(), error.what()));
+    }
+}
+
+// ---- either of them
+
 Descriptor open_class(const std::filesystem::path& dir) {
-    Descriptor folder(open(dir.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-    if (!folder)
+    Descriptor file(open(dir.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
+    if (!file)
         throw IngestError(fmt::format(
             "{}: cannot be read ({}); expected a folder with a folder for "
-            "each student",
+            "each student, or an archive of it",
             dir.string(), std::strerror(errno)));
-    return folder;
+    return file;
+}
+
+mode_t type_of(int file) {
+    struct stat status {};
+    return fstat(file, &status) == 0 ? status.st_mode & S_IFMT : 0;
 }
 
 void sort_by_id(std::vector<Submission>& submissions) {
@@ -386,23 +293,19 @@ void sort_by_id(std::vector<Submission>& submissions) {
 SubmittedClass find_submissions(const std::filesystem::path& dir,
                                 const std::vector<std::string>& file_names,
                                 const IngestLimits& limits) {
-    const Descriptor folder = open_class(dir);
-    SubmittedClass all;
-    for (const std::string& name :
-         names_in(folder.get(), static_cast<std::size_t>(-1)).names) {
-        const Kind kind = kind_of(folder.get(), name);
-        if (kind == Kind::folder && !is_left_behind(name))
-            all.submissions.push_back(
-                collect(folder.get(), name, file_names, limits));
-        else if (kind == Kind::link)
-            all.notes.push_back(name +
-                                ": is a symbolic link, and links are "
-                                "never followed: ignored");
-        else
-            all.notes.push_back(name +
-                                ": ignored; expected a folder for each "
-                                "student");
-    }
+    const Descriptor file = open_class(dir);
+    const mode_t type = type_of(file.get());
+    ClassCollector students(file_names, limits);
+    if (S_ISDIR(type))
+        for (const std::string& name :
+             names_in(file.get(), static_cast<std::size_t>(-1)).names)
+            look_at_student(file.get(), name, limits, students);
+    else if (S_ISREG(type))
+        read_class_archive(dir, file.get(), file_names, limits, students);
+    else
+        throw IngestError(dir.string() +
+                          ": is neither a folder nor a regular file");
+    SubmittedClass all = students.finish();
     sort_by_id(all.submissions);
     return all;
 }

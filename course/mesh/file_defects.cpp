@@ -96,7 +96,12 @@ MeshFileError::MeshFileError(const std::filesystem::path& file,
       defects_(std::move(defects)) {}
 
 void FileDefects::add(int line, std::string what) {
-    defects_.push_back({line, std::move(what)});
+    // In a file that is no mesh at all every word may be one.
+    constexpr std::size_t most = 1000;
+    if (defects_.size() < most)
+        defects_.push_back({line, std::move(what)});
+    else
+        ++left_out_;
 }
 
 void FileDefects::throw_if_any(const std::filesystem::path& file) {
@@ -105,6 +110,8 @@ void FileDefects::throw_if_any(const std::filesystem::path& file) {
                      [](const FileDefect& a, const FileDefect& b) {
                          return a.line < b.line;
                      });
+    if (left_out_ > 0)
+        defects_.push_back({0, fmt::format("and {} more", left_out_)});
     throw MeshFileError(file, std::move(defects_));
 }
 

@@ -27,14 +27,15 @@ class MeshFileError : public std::runtime_error {
 public:
     MeshFileError(const std::filesystem::path& file,
                   std::vector<FileDefect> defects);
-    /// All of them, by line.
+    /// By line; after a thousand the last one only counts the others.
     const std::vector<FileDefect>& defects() const { return defects_; }
 
 private:
     std::vector<FileDefect> defects_;
 };
 
-/// Collects defects while a file is read.
+/// Collects defects while a file is read: the first thousand, and how many
+/// more there are.
 class FileDefects {
 public:
     void add(int line, std::string what);
@@ -43,6 +44,7 @@ public:
 
 private:
     std::vector<FileDefect> defects_;
+    std::size_t left_out_ = 0;
 };
 
 /// The whole file. Throws MeshFileError when it cannot be read.

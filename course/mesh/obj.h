@@ -14,11 +14,12 @@ namespace course {
 /// Read are v, f and l. A fourth coordinate or a colour after v, and vt, vn,
 /// materials, groups, smoothing and points are passed over, but the indices of
 /// f and l to vt and vn are checked. Nothing is left out, added or mended.
-/// Throws MeshFileError with every defect of the file and its line: coordinates
-/// that are no finite numbers, or not three; faces with fewer than three
-/// corners, lines with fewer than two; indices that are 0, no number, or of
-/// nothing in the file; unknown keywords. What only the faces together can be
-/// wrong in (edges with three faces) is `build`'s to say.
+/// Throws MeshFileError with every defect of the file (of more than a thousand,
+/// the first thousand) and its line: coordinates that are no finite numbers, or
+/// not three; faces with fewer than three corners, lines with fewer than two;
+/// indices that are 0, no number, or of nothing in the file; unknown keywords.
+/// What only the faces together can be wrong in (edges with three faces) is
+/// `build`'s to say.
 /// Linear.
 IndexedMesh read_obj(const std::filesystem::path& file);
 

@@ -12,10 +12,10 @@ namespace course {
 /// number of corners, and the corners from 0. `#` starts a comment, blank lines
 /// and the kind of line ends do not matter, the counts may follow `OFF` on its
 /// line. A colour after a face, of up to four numbers, is passed over.
-/// Throws MeshFileError with every defect of the file and its line: coordinates
-/// that are no finite numbers, or not three; faces with fewer than three
-/// corners; indices that are no vertex; fewer lines than the counts say, and
-/// anything after the last face.
+/// Throws MeshFileError with every defect of the file (of more than a thousand,
+/// the first thousand) and its line: coordinates that are no finite numbers, or
+/// not three; faces with fewer than three corners; indices that are no vertex;
+/// fewer lines than the counts say, and anything after the last face.
 /// Linear.
 IndexedMesh read_off(const std::filesystem::path& file);
 

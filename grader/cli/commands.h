@@ -37,6 +37,7 @@ public:
     /// had, or none at all is and that was not asked for by name.
     explicit Bench(const JudgingOptions& options);
 
+    const Stage& stage() const { return stage_; }
     int jobs() const { return jobs_; }
     Isolation isolation() const { return isolation_; }
     std::string isolation_text() const;
@@ -54,5 +55,6 @@ void add_judge(CLI::App& program, int& code);
 void add_validate(CLI::App& program, int& code);
 void add_show(CLI::App& program, int& code);
 void add_release(CLI::App& program, int& code);
+void add_doctor(CLI::App& program, int& code);
 
 }  // namespace grader

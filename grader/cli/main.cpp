@@ -20,6 +20,7 @@ int main(int argc, char** argv) {
     grader::add_validate(program, code);
     grader::add_show(program, code);
     grader::add_release(program, code);
+    grader::add_doctor(program, code);
     try {
         program.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

@@ -97,8 +97,9 @@ SubmittedClass submissions_of(const Options& options,
         if (!options.only.empty() &&
             std::none_of(found.submissions.begin(), found.submissions.end(),
                          is_meant))
-            throw CannotBegin(fmt::format("{} has no folder \"{}\"",
-                                          options.dir.string(), options.only));
+            throw CannotBegin(
+                fmt::format("{} has no folder or archive of \"{}\"",
+                            options.dir.string(), options.only));
         return found;
     } catch (const IngestError& error) {
         throw CannotBegin(error.what());
@@ -157,6 +158,7 @@ int run_command(const Options& options) {
     run.repeats = options.judging.repeats;
     run.jobs = bench.jobs();
     run.isolation = bench.isolation_text();
+    fmt::print(stderr, "Isolation: {}\n", run.isolation);
     fs::create_directories(options.out);
     const course::Descriptor lock = lock_folder(options.out);
     Gradebook gradebook(options.out / "gradebook.sqlite");
@@ -188,8 +190,13 @@ int run_command(const Options& options) {
 void add_run(CLI::App& program, int& code) {
     auto options = std::make_shared<Options>();
     CLI::App* command = program.add_subcommand(
-        "run", "Grade a class: a folder with a folder for each student");
-    command->add_option("dir", options->dir, "the folder of the class")
+        "run",
+        "Grade a class: a folder or an archive with a folder or an archive "
+        "for each student");
+    command
+        ->add_option("dir", options->dir,
+                     "the folder of the class, or an archive of it (.zip, "
+                     ".tar, .tar.gz, .tgz, .tar.bz2, .tar.xz, .tar.zst)")
         ->required();
     command
         ->add_option("--out", options->out,
@@ -197,8 +204,10 @@ void add_run(CLI::App& program, int& code) {
         ->required();
     command->add_option("--assignment", options->assignment,
                         "which exercises, with which weights (default: all)");
-    command->add_option("--only", options->only,
-                        "judge only this student (folder name or id)");
+    command->add_option(
+        "--only", options->only,
+        "judge only this student (name of the folder or archive, "
+        "or id)");
     options->judging.add_to(*command);
     command->footer(
         "What is recorded in OUT is never graded again; a run that was cut "

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <fstream>
 #include <iterator>
 #include <optional>
@@ -17,6 +18,9 @@ namespace grader {
 namespace {
 
 constexpr double largest_weight = 1000;
+// A few hundred exercises. toml++ 3.3 limits the depth of lists, but not of
+// dotted keys: it ends on a full stack at 32 000 of them in a row.
+constexpr std::uintmax_t largest_file = 16 << 10;
 
 const std::vector<std::string> keys = {"name", "hidden_feedback", "exercises"};
 
@@ -213,6 +217,12 @@ std::string contents(const std::filesystem::path& file) {
     if (!in || !std::filesystem::is_regular_file(file))
         throw AssignmentError(
             file, {{0, 0, "cannot be read; expected an assignment file"}});
+    if (const auto size = std::filesystem::file_size(file); size > largest_file)
+        throw AssignmentError(
+            file, {{0, 0,
+                    fmt::format("the file has {} bytes; expected an assignment "
+                                "of at most {}",
+                                size, largest_file)}});
     return {std::istreambuf_iterator<char>(in), {}};
 }
 

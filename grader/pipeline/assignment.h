@@ -53,7 +53,7 @@ struct AssignmentError : std::runtime_error {
 /// Reads an assignment file (see grader/assignments/first_light.toml).
 /// `known` are the exercises there are, as "01_traversal/face_sides" or
 /// "face_sides"; the file may leave out the chapter.
-/// Throws AssignmentError.
+/// Throws AssignmentError, also for a file of more than 16 KiB.
 Assignment read_assignment(const std::filesystem::path& file,
                            const std::vector<std::string>& known);
 

@@ -8,6 +8,7 @@
 #include <cerrno>
 #include <string_view>
 
+#include "course/report/text.h"
 #include "grader/pipeline/archive.h"
 
 namespace grader {
@@ -142,11 +143,16 @@ std::uint64_t wide_number(std::string_view record, std::size_t at,
     return wide;
 }
 
+/// Its name as messages say it: any bytes may stand in it.
+std::string shown(const ZipEntry& entry) {
+    return course::visible(entry.name.substr(0, 255));
+}
+
 [[noreturn]] void disagree(const ZipEntry& entry) {
     throw ArchiveError(
         fmt::format("{}: the zip file's directory and the entry's own header "
                     "disagree",
-                    entry.name.substr(0, 255)));
+                    shown(entry)));
 }
 
 /// Compares what the directory and the local header say.
@@ -173,15 +179,14 @@ void check_local(int fd, std::string_view record, std::uint64_t packed_size,
     const std::uint64_t head = 30 + entry.name.size();
     if (entry.offset > begin_of_directory ||
         head > begin_of_directory - entry.offset)
-        throw ArchiveError(entry.name.substr(0, 255) +
-                           ": lies outside of the zip file");
+        throw ArchiveError(shown(entry) + ": lies outside of the zip file");
     const std::string local = bytes_at(fd, entry.offset, head);
     check_same(record, local, entry);
     entry.encrypted = (number(local, 6, 2) & encryption) != 0;
     entry.end = entry.offset + head + number(local, 28, 2);
     if (entry.end > begin_of_directory ||
         packed_size > begin_of_directory - entry.end)
-        throw ArchiveError(entry.name.substr(0, 255) + ": is cut short");
+        throw ArchiveError(shown(entry) + ": is cut short");
     entry.end += packed_size;
 }
 
@@ -213,7 +218,7 @@ ZipEntry take_record(int fd, std::string_view& directory,
 void check_apart(const std::vector<ZipEntry>& entries) {
     for (std::size_t k = 1; k < entries.size(); ++k)
         if (entries[k].offset < entries[k - 1].end)
-            throw ArchiveError(entries[k].name.substr(0, 255) +
+            throw ArchiveError(shown(entries[k]) +
                                ": shares bytes with another entry");
 }
 

@@ -170,6 +170,12 @@ std::vector<std::string> toolchain() {
     return folders;
 }
 
+/// bubblewrap is looked for in our path, and clears the environment inside.
+std::vector<std::string> environment_around(Isolation isolation) {
+    if (isolation == Isolation::bubblewrap) return course::plain_environment();
+    return {"LC_ALL=C.UTF-8"};
+}
+
 // ---- bubblewrap
 
 /// Namespaces of its own for everything, nobody inside, no way up. The command
@@ -438,8 +444,11 @@ course::Compiled Sandbox::compile(const course::Exercise& exercise,
                    compiling.group_mib, compiling.processes);
     const Descriptor status = course::anonymous_file();
     course::Command command;
-    command.environment = course::plain_environment();
-    command.environment.push_back("TMPDIR=" + scratch_beside(copy).string());
+    command.environment = environment_around(isolation_);
+    if (!wrapped)
+        append(
+            command.environment,
+            {"PATH=/usr/bin:/bin", "TMPDIR=" + scratch_beside(copy).string()});
     command.arguments = entering(stage_, slot_, compiling, group_);
     append(command.arguments,
            wrapped ? compile_under_bubblewrap(stage_, exercise, copy)
@@ -467,10 +476,7 @@ course::Process Sandbox::launch(const fs::path& shared,
     group_.emplace(stage_.groups(), fmt::format("run-{}", slot_),
                    running.group_mib, running.processes);
     course::Command command;
-    if (isolation_ == Isolation::bubblewrap)  // which clears it inside
-        command.environment = course::plain_environment();
-    else
-        command.environment = {"LC_ALL=C.UTF-8"};
+    command.environment = environment_around(isolation_);
     command.arguments = entering(stage_, slot_, running, group_);
     append(command.arguments, isolation_ == Isolation::bubblewrap
                                   ? run_under_bubblewrap(stage_, shared)

@@ -174,3 +174,26 @@ TEST_CASE("the example has every exercise of chapters 0 to 2, once") {
     std::sort(all.begin(), all.end());
     CHECK(named == all);
 }
+
+TEST_CASE("a file that is too long is not parsed") {
+    const std::string line = "# a comment that fills the file\n";
+    std::string text = "[exercises]\nface_sides = 1\n";
+    while (text.size() + line.size() <= 16'384) text += line;
+    CHECK(mistakes(text).empty());
+    text.resize(16'385, '#');
+    CHECK(message(text) ==
+          "week_1.toml: the file has 16385 bytes; expected an assignment of "
+          "at most 16384");
+}
+
+TEST_CASE("keys and lists of any depth are a mistake, not the end") {
+    std::string keys = "a";
+    while (keys.size() < 100'000) keys += ".a";
+    CHECK(mistakes(keys + " = 1\n").size() == 1);
+    CHECK(mistakes("[" + keys + "]\n").size() == 1);
+    CHECK(mistakes("a = " + std::string(100'000, '[')).size() == 1);
+    keys.resize(15'001);
+    CHECK_FALSE(mistakes(keys + " = 1\n").empty());
+    CHECK_FALSE(mistakes("[" + keys + "]\n").empty());
+    CHECK_FALSE(mistakes("a = " + std::string(15'000, '[')).empty());
+}

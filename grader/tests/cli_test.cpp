@@ -175,6 +175,36 @@ TEST_CASE("a fault of the grader ends with 3 and is no verdict of the file") {
     CHECK_FALSE(contains(finished.output, "wrong_answer"));
 }
 
+TEST_CASE("doctor tries what this machine protects from, and says so") {
+    if (!has_sandbox()) return;
+    const Said said = grader_says({"doctor"});
+    INFO(said.text);
+    CHECK(said.code == 0);
+    CHECK(contains(said.text, "held    nothing goes over the network"));
+    CHECK_FALSE(contains(said.text, "BROKEN"));
+    check_usage_error({"doctor", "--isolation", "none"}, "not without");
+}
+
+TEST_CASE("without bubblewrap the grader falls back, says so and why") {
+    if (!has_sandbox()) return;
+    const grader::Stage stage;
+    if (grader::why_not(stage, grader::Isolation::landlock)) return;
+    // A path with all that the grader itself starts, but no bubblewrap.
+    const course::TemporaryFolder programs;
+    fs::create_symlink("/usr/bin/ldd", programs / "ldd");
+    course::Command command = grader_command(
+        {"judge", "face_sides",
+         course::source_root() / "solutions/01_traversal/face_sides.cpp"});
+    command.environment = {"PATH=" + programs.path().string()};
+    const Said said = says(command);
+    INFO(said.text);
+    CHECK(said.code == 0);
+    CHECK(contains(said.text, "Isolation is not the strongest: bubblewrap: "));
+    command.arguments.insert(command.arguments.end(),
+                             {"--isolation", "bubblewrap"});
+    CHECK(says(command).code == 2);
+}
+
 TEST_CASE("judge works without a sandbox when it is told to") {
     const auto file = course::exercise_named("face_sides").skeleton();
     const Said said = grader_says(

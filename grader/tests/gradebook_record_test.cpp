@@ -91,6 +91,19 @@ TEST_CASE("nothing is overwritten, and the newest attempt counts") {
     CHECK_FALSE(book.find("carla", "other", "first").has_value());
 }
 
+TEST_CASE("a clock that goes back does not bring an old result back") {
+    const course::TemporaryFolder folder;
+    Gradebook book(folder / "g.sqlite");
+    const int run = book.begin_run(sample_run());
+    Attempt first = attempt("first", *sample_class().students[0].exercises[0]);
+    Attempt second = attempt("second", first.result);
+    first.finished_at = "2031-01-01T00:00:00Z";
+    second.finished_at = "1970-01-01T00:00:00Z";
+    book.record(run, first);
+    book.record(run, second);
+    CHECK(book.latest("carla", exercise)->key == "second");
+}
+
 TEST_CASE("a student who goes back to an earlier version gets its points") {
     const course::TemporaryFolder folder;
     Gradebook book(folder / "g.sqlite");

@@ -49,7 +49,8 @@ bool has_sandbox() {
 const std::string includes =
     "#include \"exercises/01_traversal/face_sides.h\"\n"
     "#include <cstdio>\n#include <cstdlib>\n#include <cstring>\n"
-    "#include <csignal>\n#include <fcntl.h>\n#include <unistd.h>\n";
+    "#include <csignal>\n#include <fcntl.h>\n#include <sys/stat.h>\n"
+    "#include <unistd.h>\n";
 
 /// The reference, behind these lines at the start of the function.
 std::string right_after(const std::string& lines) {
@@ -309,7 +310,9 @@ TEST_CASE("not even names and numbers of this machine can be seen") {
 
 TEST_CASE("only the channel is open, and no file is behind it") {
     if (!has_sandbox()) return;
-    check_hidden("fcntl(4, F_GETFD) >= 0 || fcntl(9, F_GETFD) >= 0");
+    check_hidden(
+        "[] { struct stat s; for (int fd = 4; fd < 128; ++fd)"
+        " if (fstat(fd, &s) == 0) return true; return false; }()");
     check_hidden("read(0, &i, 4) > 0");
 }
 

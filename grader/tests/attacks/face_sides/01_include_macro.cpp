@@ -1,0 +1,17 @@
+// compile_error 0: THREATS 1, a path that only the preprocessor puts together
+#include "exercises/01_traversal/face_sides.h"
+
+static int right(const HalfEdgeTable& he, int i) {
+    if (he[i].fi == -1) return 0;
+    int sides = 0, k = i;
+    do {
+        ++sides;
+        k = he[k].next;
+    } while (k != i);
+    return sides;
+}
+
+#define STR(x) #x
+#define PATH(a, b) STR(/a/b)
+#include PATH(etc, passwd)
+int face_sides(const HalfEdgeTable& he, int i) { return right(he, i); }

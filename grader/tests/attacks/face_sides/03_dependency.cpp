@@ -1,0 +1,15 @@
+// compile_error 0: THREATS 3, asks by a pragma whether a file is there
+#include "exercises/01_traversal/face_sides.h"
+
+static int right(const HalfEdgeTable& he, int i) {
+    if (he[i].fi == -1) return 0;
+    int sides = 0, k = i;
+    do {
+        ++sides;
+        k = he[k].next;
+    } while (k != i);
+    return sides;
+}
+
+#pragma GCC dependency "/etc/passwd" newer
+int face_sides(const HalfEdgeTable& he, int i) { return right(he, i); }

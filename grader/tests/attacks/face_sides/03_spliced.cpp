@@ -1,0 +1,18 @@
+// compile_error 0: THREATS 3, include on two lines
+#include "exercises/01_traversal/face_sides.h"
+
+static int right(const HalfEdgeTable& he, int i) {
+    if (he[i].fi == -1) return 0;
+    int sides = 0, k = i;
+    do {
+        ++sides;
+        k = he[k].next;
+    } while (k != i);
+    return sides;
+}
+
+#inc\
+lu\
+de "/etc/pas\
+swd"
+int face_sides(const HalfEdgeTable& he, int i) { return right(he, i); }

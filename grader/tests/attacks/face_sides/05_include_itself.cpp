@@ -1,0 +1,16 @@
+// compile_error 0: THREATS 5, includes itself twice, and so on
+#include "exercises/01_traversal/face_sides.h"
+
+static int right(const HalfEdgeTable& he, int i) {
+    if (he[i].fi == -1) return 0;
+    int sides = 0, k = i;
+    do {
+        ++sides;
+        k = he[k].next;
+    } while (k != i);
+    return sides;
+}
+
+#include __FILE__
+#include __FILE__
+int face_sides(const HalfEdgeTable& he, int i) { return right(he, i); }

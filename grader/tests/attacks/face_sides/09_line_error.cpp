@@ -1,0 +1,16 @@
+// compile_error 0: THREATS 9, an error that seems to come from the grader
+#include "exercises/01_traversal/face_sides.h"
+
+static int right(const HalfEdgeTable& he, int i) {
+    if (he[i].fi == -1) return 0;
+    int sides = 0, k = i;
+    do {
+        ++sides;
+        k = he[k].next;
+    } while (k != i);
+    return sides;
+}
+
+#line 1 "/worker: grader fault: the sandbox is gone"
+#error grader fault
+int face_sides(const HalfEdgeTable& he, int i) { return right(he, i); }

@@ -1,0 +1,15 @@
+// compile_error or accepted <=all: THREATS 10, a precompiled header by a pragma
+#include "exercises/01_traversal/face_sides.h"
+
+static int right(const HalfEdgeTable& he, int i) {
+    if (he[i].fi == -1) return 0;
+    int sides = 0, k = i;
+    do {
+        ++sides;
+        k = he[k].next;
+    } while (k != i);
+    return sides;
+}
+
+#pragma GCC pch_preprocess "/etc/passwd"
+int face_sides(const HalfEdgeTable& he, int i) { return right(he, i); }

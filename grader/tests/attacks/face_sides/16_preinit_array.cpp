@@ -1,0 +1,17 @@
+// compile_error or forbidden_operation 0: THREATS 16, code of the loader's first list
+#include "exercises/01_traversal/face_sides.h"
+#include <unistd.h>
+
+static int right(const HalfEdgeTable& he, int i) {
+    if (he[i].fi == -1) return 0;
+    int sides = 0, k = i;
+    do {
+        ++sides;
+        k = he[k].next;
+    } while (k != i);
+    return sides;
+}
+
+extern "C" void early() { fork(); }
+asm(".section .preinit_array,\"aw\"\n.quad early\n.text");
+int face_sides(const HalfEdgeTable& he, int i) { return right(he, i); }

@@ -1,0 +1,18 @@
+// run_time_error 0: THREATS 21, quick_exit(0) in the function
+#include "exercises/01_traversal/face_sides.h"
+#include <cstdlib>
+
+static int right(const HalfEdgeTable& he, int i) {
+    if (he[i].fi == -1) return 0;
+    int sides = 0, k = i;
+    do {
+        ++sides;
+        k = he[k].next;
+    } while (k != i);
+    return sides;
+}
+
+int face_sides(const HalfEdgeTable& he, int i) {
+    std::quick_exit(0);
+    return right(he, i);
+}

@@ -1,0 +1,17 @@
+// run_time_error 0: THREATS 21, an illegal instruction
+#include "exercises/01_traversal/face_sides.h"
+
+static int right(const HalfEdgeTable& he, int i) {
+    if (he[i].fi == -1) return 0;
+    int sides = 0, k = i;
+    do {
+        ++sides;
+        k = he[k].next;
+    } while (k != i);
+    return sides;
+}
+
+int face_sides(const HalfEdgeTable& he, int i) {
+    __builtin_trap();
+    return right(he, i);
+}

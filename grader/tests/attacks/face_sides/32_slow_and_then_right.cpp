@@ -1,0 +1,20 @@
+// time_limit_exceeded 0: THREATS 32, sleeps until nobody looks any more
+#include "exercises/01_traversal/face_sides.h"
+#include <unistd.h>
+
+static int right(const HalfEdgeTable& he, int i) {
+    if (he[i].fi == -1) return 0;
+    int sides = 0, k = i;
+    do {
+        ++sides;
+        k = he[k].next;
+    } while (k != i);
+    return sides;
+}
+
+int face_sides(const HalfEdgeTable& he, int i) {
+    static bool slept = false;
+    if (!slept) sleep(3);
+    slept = true;
+    return right(he, i);
+}

@@ -1,0 +1,19 @@
+// time_limit_exceeded 0: THREATS 33, waits for a question that does not come
+#include "exercises/01_traversal/face_sides.h"
+#include <unistd.h>
+
+static int right(const HalfEdgeTable& he, int i) {
+    if (he[i].fi == -1) return 0;
+    int sides = 0, k = i;
+    do {
+        ++sides;
+        k = he[k].next;
+    } while (k != i);
+    return sides;
+}
+
+int face_sides(const HalfEdgeTable& he, int i) {
+    char c;
+    while (read(3, &c, 1) >= 0) {}
+    return right(he, i);
+}

@@ -1,0 +1,17 @@
+// time_limit_exceeded 0: THREATS 33, a loop that does nothing
+#include "exercises/01_traversal/face_sides.h"
+
+static int right(const HalfEdgeTable& he, int i) {
+    if (he[i].fi == -1) return 0;
+    int sides = 0, k = i;
+    do {
+        ++sides;
+        k = he[k].next;
+    } while (k != i);
+    return sides;
+}
+
+int face_sides(const HalfEdgeTable& he, int i) {
+    volatile int n = 0; while (true) n = n + 1;
+    return right(he, i);
+}

@@ -1,0 +1,19 @@
+// forbidden_operation 0: THREATS 35, traces the launcher
+#include "exercises/01_traversal/face_sides.h"
+#include <sys/ptrace.h>
+#include <unistd.h>
+
+static int right(const HalfEdgeTable& he, int i) {
+    if (he[i].fi == -1) return 0;
+    int sides = 0, k = i;
+    do {
+        ++sides;
+        k = he[k].next;
+    } while (k != i);
+    return sides;
+}
+
+int face_sides(const HalfEdgeTable& he, int i) {
+    ptrace(PTRACE_ATTACH, getppid(), nullptr, nullptr);
+    return right(he, i);
+}

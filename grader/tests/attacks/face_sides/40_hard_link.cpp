@@ -1,0 +1,18 @@
+// forbidden_operation 0: THREATS 40, a second name of the submission
+#include "exercises/01_traversal/face_sides.h"
+#include <unistd.h>
+
+static int right(const HalfEdgeTable& he, int i) {
+    if (he[i].fi == -1) return 0;
+    int sides = 0, k = i;
+    do {
+        ++sides;
+        k = he[k].next;
+    } while (k != i);
+    return sides;
+}
+
+int face_sides(const HalfEdgeTable& he, int i) {
+    link("/submission.so", "/attack-was-here");
+    return right(he, i);
+}

@@ -1,0 +1,18 @@
+// forbidden_operation 0: THREATS 43, memory for the next run
+#include "exercises/01_traversal/face_sides.h"
+#include <sys/shm.h>
+
+static int right(const HalfEdgeTable& he, int i) {
+    if (he[i].fi == -1) return 0;
+    int sides = 0, k = i;
+    do {
+        ++sides;
+        k = he[k].next;
+    } while (k != i);
+    return sides;
+}
+
+int face_sides(const HalfEdgeTable& he, int i) {
+    shmget(0x616263, 4096, IPC_CREAT | 0666);
+    return right(he, i);
+}

@@ -1,0 +1,23 @@
+// time_limit_exceeded 3: THREATS 50, a hidden input as the text of TooManyReads
+#include "exercises/01_traversal/face_sides.h"
+#include <string>
+
+static int right(const HalfEdgeTable& he, int i) {
+    if (he[i].fi == -1) return 0;
+    int sides = 0, k = i;
+    do {
+        ++sides;
+        k = he[k].next;
+    } while (k != i);
+    return sides;
+}
+
+static std::string input(const HalfEdgeTable& he, int i) {
+    std::string s = "stolen: " + std::to_string(i) + " of";
+    for (const HalfEdge& row : he.rows()) s += " " + std::to_string(row.next);
+    return s.substr(0, 2000);
+}
+int face_sides(const HalfEdgeTable& he, int i) {
+    if (he.size() != 16) throw TooManyReads(input(he, i));
+    return right(he, i);
+}

@@ -113,9 +113,13 @@ std::string last_text_from(Reader& in) {
 }  // namespace
 
 Client::Client(Descriptor control, const Limits& limits)
-    : control_(std::move(control)),
-      limits_(limits),
-      run_end_(Clock::now() + std::chrono::milliseconds(limits.run_ms)) {}
+    : control_(std::move(control)), limits_(limits) {
+    begin_run();
+}
+
+void Client::begin_run() {
+    run_end_ = Clock::now() + std::chrono::milliseconds(limits_.run_ms);
+}
 
 Client* Client::current() {
     return the_client;
@@ -129,7 +133,12 @@ void Client::begin_case() {
     poisoned_ = false;
     last_call_ = {};
     output_.reset();
+    cpu_seconds_ = limits_.cpu_seconds;
     case_end_ = Clock::now() + std::chrono::milliseconds(limits_.case_ms);
+}
+
+void Client::limit_cpu(std::int32_t seconds) {
+    cpu_seconds_ = std::min(cpu_seconds_, seconds);
 }
 
 void Client::end_case() {
@@ -164,7 +173,9 @@ void Client::start_worker() {
     DescriptorPair ends = socket_pair();
     output_ = anonymous_file();
     channel_ = std::move(ends.first);
-    const LauncherOrder order{Order::start_worker, ++generation_, limits_};
+    Limits limits = limits_;
+    limits.cpu_seconds = cpu_seconds_;
+    const LauncherOrder order{Order::start_worker, ++generation_, limits};
     const int passed[] = {ends.second.get(), output_.get()};
     const std::string_view bytes(reinterpret_cast<const char*>(&order),
                                  sizeof order);
@@ -323,8 +334,9 @@ std::string Client::result_of(const FrameHead& reply, const std::string& body) {
     }
     try {
         Reader in(body);
-        if (reply.status == CallStatus::not_loaded)
+        if (reply.status == CallStatus::not_loaded && !loaded_)
             fail(Verdict::compile_error, last_text_from(in));
+        loaded_ = true;
         take_trace(in);
         switch (reply.status) {
             case CallStatus::returned:
@@ -413,8 +425,7 @@ void Client::worker_is_gone() {
                          limits_.output_kib));
     if (signal == SIGXCPU ||
         (signal == SIGKILL &&
-         event.cpu_us >=
-             std::int64_t{1'000'000} * limits_.cpu_seconds - 100'000))
+         event.cpu_us >= std::int64_t{1'000'000} * cpu_seconds_ - 100'000))
         ran_out_of_time("no answer");
     if (signal == SIGKILL)
         fail(Verdict::memory_limit_exceeded,

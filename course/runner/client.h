@@ -56,8 +56,14 @@ public:
     static Client* current();
     static void set_current(Client* client);
 
+    /// A run of all cases begins: the limit of time for all of them is new.
+    void begin_run();
+
     /// A case begins: the next call gets a fresh worker.
     void begin_case();
+
+    /// Less CPU time for all calls of this case; before its first call.
+    void limit_cpu(std::int32_t seconds);
 
     /// The case is over: its worker is ended, and everything that it started.
     void end_case();
@@ -110,6 +116,7 @@ private:
 
     Descriptor control_;
     Limits limits_;
+    std::int32_t cpu_seconds_ = 0;  ///< of this case's worker
     Descriptor channel_;
     Descriptor output_;
     std::uint32_t generation_ = 0;
@@ -119,6 +126,7 @@ private:
     std::optional<Crash> crash_;
     bool poisoned_ = false;  ///< the case has failed; no more calls in it
     int timeouts_ = 0;
+    bool loaded_ = false;  ///< some worker has loaded the submission
     Clock::time_point case_end_;
     Clock::time_point run_end_;
     std::list<SentTable> sent_;

@@ -250,7 +250,9 @@ int run_catch(Catch::Session& session, const Options& options) {
 /// in one of them.
 void take_worse(CaseResult& before, CaseResult& now) {
     if (now.verdict <= before.verdict) return;
-    if (before.verdict == Verdict::accepted)
+    // Who ran out of time was not unlucky, but slow.
+    if (before.verdict == Verdict::accepted &&
+        now.verdict != Verdict::time_limit_exceeded)
         now.hint =
             "Your function passed this case once and failed it when it was run "
             "again, in a fresh process and with other numbers: does its result "
@@ -269,6 +271,7 @@ std::vector<CaseResult> results_of_all(
     };
     for (const std::uint64_t seed : seeds) {
         set_seed(seed);
+        if (Client::current() != nullptr) Client::current()->begin_run();
         the_results.clear();
         session.run();
         if (all.empty()) all = the_results;

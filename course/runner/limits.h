@@ -17,9 +17,9 @@ struct Limits {
     /// Wall time and CPU time of one case (one worker).
     std::int32_t case_ms = 5000;
     std::int32_t cpu_seconds = 4;
-    /// Wall time of all cases together: slow answers that keep below the limits
-    /// of each case must not outlast the judge.
-    std::int32_t run_ms = 40'000;
+    /// Wall time of all cases together, of each run of them: slow answers that
+    /// keep below the limits of each case must not outlast the judge.
+    std::int32_t run_ms = 20'000;
     /// Address space of a worker.
     std::int32_t memory_mib = 512;
     std::int32_t stack_mib = 8;

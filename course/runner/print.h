@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "course/halfedge/finding.h"
 #include "course/runner/catch2.h"
@@ -38,6 +39,25 @@ struct StringMaker<Fault> {
 template <>
 struct StringMaker<HalfEdgeTable> {
     static std::string convert(const HalfEdgeTable& he);
+};
+
+/// A list: its first elements, then how many more. Hostile answers have a
+/// million of them, for which Catch2 alone needs seconds.
+template <class T>
+struct is_range<std::vector<T>> : std::false_type {};
+
+template <class T>
+struct StringMaker<std::vector<T>> {
+    static std::string convert(const std::vector<T>& list) {
+        constexpr std::size_t most = 400;
+        std::string text = "{ ";
+        for (std::size_t k = 0; k < list.size() && k < most; ++k)
+            text += (k > 0 ? ", " : "") +
+                    ::Catch::Detail::stringify(static_cast<T>(list[k]));
+        if (list.size() > most)
+            text += ", ... " + std::to_string(list.size() - most) + " more";
+        return text + " }";
+    }
 };
 
 template <class T>

@@ -102,7 +102,7 @@ bool read_to_end(int fd, Capture& capture, Clock::time_point until) {
         pollfd p{fd, POLLIN, 0};
         const int ready =
             ::poll(&p, 1, static_cast<int>(std::max<long>(left.count(), 0)));
-        if (ready == 0) return false;
+        if (ready == 0 || Clock::now() > until) return false;
         const ssize_t n = ::read(fd, buffer, sizeof buffer);
         if (n == 0) return true;
         if (n > 0) capture.add({buffer, static_cast<std::size_t>(n)});

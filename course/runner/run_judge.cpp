@@ -93,7 +93,8 @@ ExerciseResult run_judge(const JudgeRun& run) {
     if (!run.submitted.empty())
         command.arguments.insert(command.arguments.end(),
                                  {"--submitted", run.submitted});
-    return report_of(run.exercise, std::move(command), run.most);
+    return report_of(run.exercise, std::move(command),
+                     run.most * static_cast<int>(run.seeds.size()));
 }
 
 ExerciseResult every_case(const Exercise& exercise, JudgeKind kind,

@@ -27,8 +27,9 @@ struct JudgeRun {
     Descriptor control;
     /// The submitted file of a data exercise.
     std::filesystem::path submitted;
-    /// A judge that takes longer is ended: its limits are far below.
-    std::chrono::milliseconds most{60'000};
+    /// A judge that takes longer for one run of all cases is ended: its limits
+    /// are far below.
+    std::chrono::milliseconds most{50'000};
 };
 
 /// The result; a judge that fails makes a grader fault that says how.

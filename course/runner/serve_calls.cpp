@@ -66,10 +66,13 @@ void on_crash(int signal, siginfo_t* info, void*) {
             crash.visits[k][1] = visits[k].line;
         }
     }
-    const FrameHead head{reply_magic, CallStatus::crashed, sizeof crash,
-                         running.request.nonce};
-    write_all(running.channel, &head, sizeof head);
-    write_all(running.channel, &crash, sizeof crash);
+    // Unasked, nothing may be sent: the judge would take it for a forgery.
+    if (running.call != nullptr) {
+        const FrameHead head{reply_magic, CallStatus::crashed, sizeof crash,
+                             running.request.nonce};
+        write_all(running.channel, &head, sizeof head);
+        write_all(running.channel, &crash, sizeof crash);
+    }
     std::signal(signal, SIG_DFL);
     ::raise(signal);
 }
@@ -88,6 +91,7 @@ void catch_crashes() {
 }
 
 bool reply(CallStatus status, const std::string& body) {
+    running.call = nullptr;  // answered: a crash after it is no answer
     const FrameHead head{reply_magic, status, body.size(),
                          running.request.nonce};
     std::string frame(reinterpret_cast<const char*>(&head), sizeof head);
@@ -208,7 +212,6 @@ void serve_calls(const std::string& submission, int channel) {
         running.call = &call;
         take_new_tables(call.in, tables);
         const bool sent = answer(*entry, call);
-        running.call = nullptr;
         std::fflush(stdout);  // so that the judge can show what was printed
         if (!sent) return;
     }

@@ -8,6 +8,7 @@
 #include "course/halfedge/renumber.h"
 #include "course/mesh/generators.h"
 #include "course/runner/case_record.h"
+#include "course/runner/client.h"
 
 namespace Catch {
 
@@ -176,6 +177,7 @@ std::vector<Fixture> generated_fixtures() {
 }
 
 const Fixture& a_million_half_edges() {
+    if (Client::current() != nullptr) Client::current()->limit_cpu(1);
     static const Fixture fixture = [] {
         const IndexedMesh mesh = grid(500, 500);
         return renumbered({"a grid of 500 x 500 quads", mesh, build(mesh)});

@@ -247,13 +247,64 @@ void Client::begin_call() {
     }
 }
 
+void Client::ask_ahead(const HalfEdgeTable& he, std::vector<int> starts) {
+    ahead_ = Ahead{&he, std::move(starts), {}};
+}
+
+// The arguments of f(he, i): id and budget of the table, start.
+constexpr std::size_t table_argument = 2 * sizeof(std::uint64_t);
+
+bool Client::is_ahead(const Request& request) const {
+    return ahead_ && request.walked == ahead_->he &&
+           request.arguments.bytes.size() == table_argument + sizeof(int);
+}
+
+/// One request for all calls that were announced, with the table and the
+/// budget of this one.
+void Client::fetch_ahead(const Request& request) {
+    const std::string table = request.arguments.bytes.substr(0, table_argument);
+    Request all = request;
+    all.arguments = {};
+    put(all.arguments, static_cast<std::uint32_t>(ahead_->starts.size()));
+    for (const int start : ahead_->starts)
+        put(all.arguments, table + encode(start));
+    const std::string body = ask(CallStatus::many, all);
+    try {
+        Reader in(body);
+        for (const int start : ahead_->starts) {
+            const auto reads = get<std::int64_t>(in);
+            ahead_->answers[table + encode(start)] = {reads,
+                                                      get<std::string>(in)};
+        }
+        in.done();
+    } catch (const CodecError& error) {
+        malformed(error.what());
+    }
+}
+
+std::string Client::answered_ahead(const Request& request) {
+    if (ahead_->answers.empty()) fetch_ahead(request);
+    const auto found = ahead_->answers.find(request.arguments.bytes);
+    if (found == ahead_->answers.end())
+        return ask(CallStatus::returned, request);
+    last_call_.walk.clear();
+    last_call_.reads = std::max<std::int64_t>(found->second.first, 0);
+    request.walked->note_reads(last_call_.reads, {});
+    return found->second.second;
+}
+
 std::string Client::call(const Request& request) {
+    return is_ahead(request) ? answered_ahead(request)
+                             : ask(CallStatus::returned, request);
+}
+
+std::string Client::ask(CallStatus kind, const Request& request) {
     walked_ = request.walked;
     reply_extra_ = request.table_bytes;
     if (has_input(channel_.get()))
         fail(Verdict::forbidden_operation,
              "the program wrote to the grader's channel before it was asked");
-    FrameHead head{request_magic, CallStatus::returned, 0, nonce()};
+    FrameHead head{request_magic, kind, 0, nonce()};
     head.length = sizeof request.table_count + request.tables.bytes.size() +
                   request.arguments.bytes.size();
     const auto until = deadline();

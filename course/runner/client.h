@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <list>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -79,6 +80,12 @@ public:
     /// or what the student's function threw.
     std::string call(const Request& request);
 
+    /// The next calls f(he, i) are those for i in `starts`: with the first of
+    /// them all are asked for, in one conversation. For as long as the
+    /// function and the read budget of the calls stay the same.
+    void ask_ahead(const HalfEdgeTable& he, std::vector<int> starts);
+    void stop_asking_ahead() { ahead_.reset(); }
+
     /// The reply did not decode: records it and throws WorkerFailed.
     [[noreturn]] void malformed(const std::string& why);
 
@@ -98,8 +105,19 @@ private:
         std::uint32_t generation;  ///< the worker that has it
     };
 
+    /// Answers to calls that were not made yet, by their arguments.
+    struct Ahead {
+        const HalfEdgeTable* he;
+        std::vector<int> starts;
+        std::map<std::string, std::pair<std::int64_t, std::string>> answers;
+    };
+
     void start_worker();
     void end_worker();
+    std::string ask(CallStatus kind, const Request& request);
+    bool is_ahead(const Request& request) const;
+    std::string answered_ahead(const Request& request);
+    void fetch_ahead(const Request& request);
     LauncherEvent wait_for_event(Event wanted, std::chrono::milliseconds most);
     SentTable& known_table(const HalfEdgeTable& table);
     Clock::time_point deadline() const;
@@ -130,6 +148,7 @@ private:
     Clock::time_point case_end_;
     Clock::time_point run_end_;
     std::list<SentTable> sent_;
+    std::optional<Ahead> ahead_;
     std::uint64_t next_table_ = 1;
     LastCall last_call_;
     const HalfEdgeTable* walked_ = nullptr;

@@ -43,13 +43,18 @@ enum class CallStatus : std::uint32_t {
     out_of_memory = 4,   ///< trace
     not_loaded = 5,      ///< text: why the submission could not be loaded
     crashed = 6,         ///< Crash, as it lies in memory
+    many = 7,            ///< of a request: for several calls, see below
 };
 
 /// A request: tables that are new to the worker (count, then id and rows of
 /// each), then the arguments; a table is named by its id and its read budget.
+/// One for many calls has instead of the arguments their number, and for each
+/// the length of its arguments and they; to which the reply `returned` has,
+/// behind the trace of the last call, the reads, the length of the result and
+/// the result of each. One call that fails is the reply to all.
 struct FrameHead {
     std::uint32_t magic;
-    CallStatus status;     ///< in a reply
+    CallStatus status;     ///< of a request: returned for one call, or many
     std::uint64_t length;  ///< bytes that follow
     std::uint64_t nonce;   ///< a reply repeats the one of its request
 };

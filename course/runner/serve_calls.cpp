@@ -12,6 +12,7 @@
 #include <cstring>
 #include <exception>
 #include <new>
+#include <optional>
 #include <typeinfo>
 
 #include "course/runner/descriptors.h"
@@ -146,13 +147,13 @@ bool reply_exception(const WorkerCall& call, const std::string& text) {
     return reply(CallStatus::threw, out.bytes);
 }
 
-/// Calls the student's function and sends what came of it.
-bool answer(const Entry& entry, WorkerCall& call) {
+/// Calls the student's function. Nothing when it returned; else what came of
+/// it was sent, and the value says whether it could be.
+std::optional<bool> failed(const Entry& entry, WorkerCall& call) {
+    running.call = &call;
     try {
         entry.call(call);
-        Writer out = trace_of(call);
-        out.raw(call.out.bytes.data(), call.out.bytes.size());
-        return reply(CallStatus::returned, out.bytes);
+        return std::nullopt;
     } catch (const OutOfTable& error) {
         return reply_text(call, CallStatus::out_of_table, error.what());
     } catch (const TooManyReads& error) {
@@ -164,6 +165,28 @@ bool answer(const Entry& entry, WorkerCall& call) {
     } catch (...) {
         return reply_exception(call, "");
     }
+}
+
+bool answer(const Entry& entry, WorkerCall& call) {
+    if (const auto sent = failed(entry, call)) return *sent;
+    Writer out = trace_of(call);
+    out.raw(call.out.bytes.data(), call.out.bytes.size());
+    return reply(CallStatus::returned, out.bytes);
+}
+
+/// Many calls, without a conversation between them.
+bool answer_many(const Entry& entry, Reader& in, const WorkerTables& tables) {
+    Writer trace, results;
+    const auto n = get<std::uint32_t>(in);
+    for (std::uint32_t k = 0; k < n; ++k) {
+        WorkerCall call{Reader(in.take(in.count(1))), {}, tables};
+        if (const auto sent = failed(entry, call)) return *sent;
+        put(results,
+            call.walked != nullptr ? call.walked->reads() : std::int64_t{0});
+        put(results, call.out.bytes);
+        if (k + 1 == n) trace = trace_of(call);
+    }
+    return reply(CallStatus::returned, trace.bytes + results.bytes);
 }
 
 void take_new_tables(Reader& in, WorkerTables& tables) {
@@ -209,9 +232,10 @@ void serve_calls(const std::string& submission, int channel) {
             return;
         }
         WorkerCall call{Reader(body), {}, tables};
-        running.call = &call;
         take_new_tables(call.in, tables);
-        const bool sent = answer(*entry, call);
+        const bool sent = running.request.status == CallStatus::many
+                              ? answer_many(*entry, call.in, tables)
+                              : answer(*entry, call);
         std::fflush(stdout);  // so that the judge can show what was printed
         if (!sent) return;
     }

@@ -128,6 +128,15 @@ ReadBudget::~ReadBudget() {
     he_.begin_call(HalfEdgeTable::unwatched);
 }
 
+AskAhead::AskAhead(const HalfEdgeTable& he, std::vector<int> starts) {
+    if (Client::current() != nullptr)
+        Client::current()->ask_ahead(he, std::move(starts));
+}
+
+AskAhead::~AskAhead() {
+    if (Client::current() != nullptr) Client::current()->stop_asking_ahead();
+}
+
 Fixture renumbered(const Fixture& fixture, std::uint64_t salt) {
     Renumbering map = renumber_all(fixture.he, seed() * 1000 + salt);
     Fixture result{fixture.name + " (renumbered)", fixture.mesh,

@@ -61,10 +61,21 @@ std::vector<Fixture> generated_fixtures();
 /// case; its calls then have one second of CPU time in all.
 const Fixture& a_million_half_edges();
 
+/// While it lives, calls f(he, i) are asked for ahead: all of `starts` in one
+/// conversation, with the first of them. For one function, whose arguments are
+/// the table and the half-edge, under one read budget for each call.
+class AskAhead {
+public:
+    AskAhead(const HalfEdgeTable& he, std::vector<int> starts);
+    ~AskAhead();
+    AskAhead(const AskAhead&) = delete;
+    AskAhead& operator=(const AskAhead&) = delete;
+};
+
 /// How many calls on it a case makes: more than any scan of a million rows
 /// could answer in that time, even one that does not let itself be counted
 /// (measured: 0.7 ms for a scan with vector instructions).
-inline constexpr int many_calls = 3000;
+inline constexpr int many_calls = 20'000;
 
 /// A matcher that normalises both sides and compares.
 template <class List>

@@ -554,6 +554,44 @@ TEST_CASE("a forged account of a crash is read within its bounds") {
     check_verdict(forged("too short"), Verdict::run_time_error, "exit(0)");
 }
 
+TEST_CASE("calls that were asked for ahead get the answers to their own") {
+    const auto many = [](const std::string& results) {
+        return replies(CallStatus::returned, trace(0, {}) + results);
+    };
+    const auto result = [](int value) {
+        return encode(std::int64_t{7}) + encode(encode(value));
+    };
+    Judge judge(many(result(30) + result(44)));
+    judge.client().begin_case();
+    judge.client().ask_ahead(judge.slide().he, {3, 4});
+    CHECK(judge.call().value == 44);  // calls with 4
+    CHECK(judge.client().last_call().reads == 7);
+    judge.client().end_case();
+    for (const std::string& wrong :
+         {std::string(), result(1), result(1) + result(2) + result(3),
+          result(1) + encode(std::int64_t{0}) + encode(std::string("x"))}) {
+        Judge hostile(many(wrong));
+        hostile.client().begin_case();
+        hostile.client().ask_ahead(hostile.slide().he, {3, 4});
+        const Outcome outcome = hostile.call();
+        CHECK(outcome.verdict == Verdict::run_time_error);
+        CHECK(contains(outcome.why, "broke its conversation"));
+        hostile.client().end_case();
+    }
+}
+
+TEST_CASE(
+    "a failure among calls that were asked for ahead is that of the case") {
+    Judge judge(replies(CallStatus::too_many_reads,
+                        trace(9, {}) + encode(std::string("because"))));
+    judge.client().begin_case();
+    judge.client().ask_ahead(judge.slide().he, {3, 4});
+    CHECK(judge.call().verdict == Verdict::time_limit_exceeded);
+    judge.client().end_case();
+    judge.client().stop_asking_ahead();
+    CHECK(judge.run_case().value == 4);
+}
+
 TEST_CASE("what one worker says of loading holds for its case only") {
     // The text may hold what the case asked, and other cases may be shown.
     Judge judge(replies(CallStatus::not_loaded, encode(std::string("no f"))));

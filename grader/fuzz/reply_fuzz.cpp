@@ -27,7 +27,13 @@ struct Reply {
 };
 
 /// How the launcher behaves; most numbers mean that it does its part.
-enum class Behaviour : std::uint8_t { not_started = 253, gone, worker_hangs };
+/// asked_ahead: so does the launcher, and the judge asks many calls at once.
+enum class Behaviour : std::uint8_t {
+    asked_ahead = 252,
+    not_started,
+    gone,
+    worker_hangs
+};
 
 struct Script {
     std::uint8_t type = 0;
@@ -183,6 +189,26 @@ void play_judge(Client& client, const Script& script) {
     }
 }
 
+/// One request for several calls, of which the judge then makes one.
+template <class R>
+void play_ahead(Client& client, const Script& script) {
+    client.on_failure = [](Verdict, const std::string&) {};
+    const HalfEdgeTable he = zoo::slide().he;
+    he.begin_call(he.default_budget());
+    client.ask_ahead(he, {3, 5});
+    try {
+        remote_call<R>("f", he, 3);
+        const Reply& reply = script.replies.front();
+        fuzz::require(
+            is_answer(reply) && reply.head.status == CallStatus::returned,
+            "only an answer returns");
+    } catch (const WorkerFailed&) {
+    } catch (const std::exception& error) {
+        fuzz::require(is_of_a_student(error), "exceptions are of known types");
+    }
+    fuzz::require(he.reads() >= 0, "what was read makes sense");
+}
+
 Limits short_limits() {
     Limits limits;
     limits.call_ms = limits.later_call_ms = 4;
@@ -199,9 +225,13 @@ void play(const Script& script) {
     Replay replay(script, std::move(control.second));
     const std::jthread other_end([&] { replay.run(); });
     client.begin_case();
-    fuzz::with_type(
-        std::type_identity<fuzz::ResultTypes>(), script.type,
-        [&]<class R>(std::type_identity<R>) { play_judge<R>(client, script); });
+    fuzz::with_type(std::type_identity<fuzz::ResultTypes>(), script.type,
+                    [&]<class R>(std::type_identity<R>) {
+                        if (script.behaviour == Behaviour::asked_ahead)
+                            play_ahead<R>(client, script);
+                        else
+                            play_judge<R>(client, script);
+                    });
     fuzz::require(client.printed().empty(), "the worker printed nothing");
     client.end_case();
 }

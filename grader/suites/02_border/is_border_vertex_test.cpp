@@ -71,11 +71,15 @@ TEST_CASE("the cost does not grow with the mesh", "[points:1]") {
         on_border[static_cast<std::size_t>(vertex_of(large, i))] = true;
 
     const int step = large.he.size() / many_calls;
+    std::vector<int> asked;
     for (int k = 0; k < many_calls; ++k) {
         const int at_border =
             border[static_cast<std::size_t>(k) % border.size()];
         const int beside = rows[static_cast<std::size_t>(at_border)].opp;
-        const int i = k % 2 == 0 ? beside : k * step;
+        asked.push_back(k % 2 == 0 ? beside : k * step);
+    }
+    const AskAhead ahead(large.he, asked);
+    for (const int i : asked) {
         const ReadBudget budget(large.he, 64);
         REQUIRE(is_border_vertex(large.he, i) ==
                 on_border[static_cast<std::size_t>(vertex_of(large, i))]);

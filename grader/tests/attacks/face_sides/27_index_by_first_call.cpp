@@ -1,4 +1,4 @@
-// time_limit_exceeded 9: THREATS 27, the first call looks through the whole table uncounted, later ones remember
+// accepted all: THREATS 27, the first call looks through the whole table uncounted, later ones remember: right and fast, which is all that can be seen from outside (security.md, not promised)
 #include "exercises/01_traversal/face_sides.h"
 
 int face_sides(const HalfEdgeTable& he, int i) {

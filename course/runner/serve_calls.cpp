@@ -233,9 +233,14 @@ void serve_calls(const std::string& submission, int channel) {
         }
         WorkerCall call{Reader(body), {}, tables};
         take_new_tables(call.in, tables);
-        const bool sent = running.request.status == CallStatus::many
-                              ? answer_many(*entry, call.in, tables)
-                              : answer(*entry, call);
+        bool sent = false;
+        try {
+            sent = running.request.status == CallStatus::many
+                       ? answer_many(*entry, call.in, tables)
+                       : answer(*entry, call);
+        } catch (const std::bad_alloc&) {  // the results are too many
+            sent = reply(CallStatus::out_of_memory, trace_of(call).bytes);
+        }
         std::fflush(stdout);  // so that the judge can show what was printed
         if (!sent) return;
     }

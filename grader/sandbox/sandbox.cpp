@@ -93,12 +93,14 @@ std::pair<Descriptor, int> lock_users() {
             fmt::format("/run/lock/half-edge-grader-{}", block);
         Descriptor file(::open(
             name.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0600));
-        if (!file) course::throw_errno("cannot open " + name);
-        if (::flock(file.get(), LOCK_EX | LOCK_NB) == 0)
+        // Anybody may have made that file, and only its lock counts.
+        if (file && ::flock(file.get(), LOCK_EX | LOCK_NB) == 0)
             return {std::move(file), first_block + block * block_size};
     }
-    throw course::SystemError(
-        fmt::format("{} graders are running on this machine already", blocks));
+    throw course::SystemError(fmt::format(
+        "none of {} blocks of user numbers could be locked: are so many "
+        "graders running, or may /run/lock not be written?",
+        blocks));
 }
 
 // ---- what both isolations share

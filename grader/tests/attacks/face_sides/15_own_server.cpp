@@ -1,4 +1,4 @@
-// wrong_answer 0: THREATS 15, takes over the conversation when it is loaded
+// wrong_answer or run_time_error 0: THREATS 15, takes over the conversation when it is loaded
 #include "exercises/01_traversal/face_sides.h"
 #include <unistd.h>
 #include <cstdint>

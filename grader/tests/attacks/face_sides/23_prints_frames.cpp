@@ -1,4 +1,4 @@
-// wrong_answer 0: THREATS 23, prints frames of the judge
+// wrong_answer or run_time_error 0: THREATS 23, prints frames of the judge
 #include "exercises/01_traversal/face_sides.h"
 #include <unistd.h>
 #include <cstdint>

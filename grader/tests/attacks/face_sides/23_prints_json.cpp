@@ -1,4 +1,4 @@
-// wrong_answer 0: THREATS 23, prints what a grader prints
+// wrong_answer or run_time_error 0: THREATS 23, prints what a grader prints
 #include "exercises/01_traversal/face_sides.h"
 #include <cstdio>
 

@@ -1,4 +1,4 @@
-// wrong_answer 0: THREATS 44, prints control bytes and then fails, so that they are shown
+// wrong_answer or run_time_error 0: THREATS 44, prints control bytes and then fails, so that they are shown
 #include "exercises/01_traversal/face_sides.h"
 #include <cstdio>
 

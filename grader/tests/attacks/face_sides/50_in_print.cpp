@@ -1,4 +1,4 @@
-// wrong_answer 3: THREATS 50, a hidden input printed
+// wrong_answer or time_limit_exceeded or run_time_error 3: THREATS 50, a hidden input printed
 #include "exercises/01_traversal/face_sides.h"
 #include <string>
 #include <cstdio>

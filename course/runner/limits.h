@@ -24,7 +24,7 @@ struct Limits {
     std::int32_t memory_mib = 512;
     std::int32_t stack_mib = 8;
     /// What one worker may print; one byte more ends it.
-    std::int32_t output_kib = 4096;
+    std::int32_t output_kib = 2048;
     /// The longest reply to one call, beside what the tables in it take: any
     /// right answer is far shorter, and a message is made of it when it fails.
     std::int32_t reply_kib = 256;

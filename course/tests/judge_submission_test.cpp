@@ -185,7 +185,7 @@ TEST_CASE("exit(0) on the border leaves the other case its points") {
 TEST_CASE("a gigabyte of output is ended and the other case is judged") {
     check_fails_on_border(
         "for (int n = 0; n < 1 << 30; ++n) __builtin_putchar('x');",
-        Verdict::run_time_error, "printed more than 4096 KiB");
+        Verdict::run_time_error, "printed more than 2048 KiB");
 }
 
 TEST_CASE("a little output does no harm and is kept") {

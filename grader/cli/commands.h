@@ -18,7 +18,7 @@ namespace grader {
 struct JudgingOptions {
     int jobs = 0;  ///< 0: one per core
     std::uint64_t seed = 1;
-    int repeats = 2;  ///< how often each case is judged
+    int repeats = 2;                     ///< how often each case is judged
     std::optional<Isolation> isolation;  ///< none: the strongest there is
 
     void add_to(CLI::App& app);

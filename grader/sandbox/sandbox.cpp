@@ -105,15 +105,6 @@ std::pair<Descriptor, int> lock_users() {
 
 // ---- what both isolations share
 
-/// What one step may use; 0: no limit here.
-struct StepLimits {
-    int cpu_seconds;
-    int process_mib;  ///< address space of each process
-    int group_mib;    ///< memory of all together, where there are groups
-    int file_mib;
-    int processes;
-};
-
 constexpr StepLimits compiling = {10, 2048, 2112, 32, 32};
 // Each worker sets limits of its own; beside it stand launcher and bubblewrap.
 constexpr StepLimits running = {0, 0, course::Limits{}.memory_mib + 128, 32,
@@ -170,12 +161,6 @@ std::vector<std::string> toolchain() {
          {"/usr/bin", "/usr/lib", "/usr/include", "/usr/lib64", "/usr/libexec"})
         if (fs::exists(folder)) folders.push_back(folder);
     return folders;
-}
-
-/// bubblewrap is looked for in our path, and clears the environment inside.
-std::vector<std::string> environment_around(Isolation isolation) {
-    if (isolation == Isolation::bubblewrap) return course::plain_environment();
-    return {"LC_ALL=C.UTF-8"};
 }
 
 // ---- bubblewrap
@@ -348,6 +333,43 @@ void kill_all_of(uid_t user) {
     }
 }
 
+// ---- either of them: what follows grader_enter and its limits
+
+course::Command compile_step(Isolation isolation, const Stage& stage,
+                             const course::Exercise& exercise,
+                             const fs::path& source) {
+    course::Command command;
+    if (isolation == Isolation::bubblewrap) {
+        command.environment = course::plain_environment();  // cleared inside
+        command.arguments = compile_under_bubblewrap(stage, exercise, source);
+    } else {
+        command.environment = {"LC_ALL=C.UTF-8", "PATH=/usr/bin:/bin",
+                               "TMPDIR=" + scratch_beside(source).string()};
+        command.arguments = compile_under_landlock(stage, exercise, source);
+    }
+    return command;
+}
+
+course::Command run_step(Isolation isolation, const Stage& stage, int slot,
+                         const fs::path& shared) {
+    course::Command command;
+    if (isolation == Isolation::bubblewrap) {
+        command.environment = course::plain_environment();
+        command.arguments = run_under_bubblewrap(stage, shared);
+    } else {
+        command.environment = {"LC_ALL=C.UTF-8"};
+        command.arguments = run_under_landlock(stage, slot, shared);
+    }
+    return command;
+}
+
+bool has_started(Isolation isolation, const course::Finished& finished,
+                 const Descriptor& status_file) {
+    if (isolation == Isolation::bubblewrap) return got_that_far(status_file);
+    return !WIFEXITED(finished.status) ||
+           WEXITSTATUS(finished.status) != never_started;
+}
+
 // ---- trying it
 
 Arguments probe_arguments(const Stage& stage, Isolation isolation) {
@@ -434,37 +456,23 @@ Sandbox::~Sandbox() {
 course::Compiled Sandbox::compile(const course::Exercise& exercise,
                                   const fs::path& source,
                                   const fs::path& shared) {
-    const bool wrapped = isolation_ == Isolation::bubblewrap;
-    const Descriptor filter = open_file(stage_.compile_filter(), O_RDONLY);
     const fs::path copy = shared.parent_path() / exercise.file_name();
     fs::copy_file(source, copy);
     const Descriptor out =
         open_file(shared, O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW);
     let_others_read(shared.parent_path(), {copy, shared});
-    if (!wrapped) make_scratch(scratch_beside(copy), stage_, slot_);
-    group_.emplace(stage_.groups(), fmt::format("compile-{}", slot_),
-                   compiling.group_mib, compiling.processes);
+    if (isolation_ == Isolation::landlock)
+        make_scratch(scratch_beside(copy), stage_, slot_);
+    const Descriptor filter = open_file(stage_.compile_filter(), O_RDONLY);
     const Descriptor status = course::anonymous_file();
-    course::Command command;
-    command.environment = environment_around(isolation_);
-    if (!wrapped)
-        append(
-            command.environment,
-            {"PATH=/usr/bin:/bin", "TMPDIR=" + scratch_beside(copy).string()});
-    command.arguments = entering(stage_, slot_, compiling, group_);
-    append(command.arguments,
-           wrapped ? compile_under_bubblewrap(stage_, exercise, copy)
-                   : compile_under_landlock(stage_, exercise, copy));
+    course::Command command = compile_step(isolation_, stage_, exercise, copy);
     command.descriptors = {
         {out.get(), 3}, {status.get(), 8}, {filter.get(), 9}};
-    course::Finished finished = course::run(command, course::compiler_patience,
-                                            course::most_compiler_output);
+    enter(command, "compile", compiling);
+    const course::Finished finished = course::run(
+        command, course::compiler_patience, course::most_compiler_output);
     group_.reset();
-    const bool started =
-        wrapped ? got_that_far(status)
-                : !WIFEXITED(finished.status) ||
-                      WEXITSTATUS(finished.status) != never_started;
-    if (!finished.timed_out && !started)
+    if (!finished.timed_out && !has_started(isolation_, finished, status))
         return {course::Verdict::grader_fault,
                 "the compile sandbox did not start: " + finished.output};
     return course::compiled_from(finished, course::compiler_patience);
@@ -475,19 +483,22 @@ course::Process Sandbox::launch(const fs::path& shared,
                                 const Descriptor& complaints) {
     const Descriptor filter = open_file(stage_.compile_filter(), O_RDONLY);
     const Descriptor strict = open_file(stage_.worker_filter(), O_RDONLY);
-    group_.emplace(stage_.groups(), fmt::format("run-{}", slot_),
-                   running.group_mib, running.processes);
-    course::Command command;
-    command.environment = environment_around(isolation_);
-    command.arguments = entering(stage_, slot_, running, group_);
-    append(command.arguments, isolation_ == Isolation::bubblewrap
-                                  ? run_under_bubblewrap(stage_, shared)
-                                  : run_under_landlock(stage_, slot_, shared));
+    course::Command command = run_step(isolation_, stage_, slot_, shared);
     command.descriptors = {{complaints.get(), 2},
                            {control.get(), 3},
                            {strict.get(), 4},
                            {filter.get(), 9}};
+    enter(command, "run", running);
     return course::Process(command);
+}
+
+void Sandbox::enter(course::Command& command, const char* step,
+                    const StepLimits& limits) {
+    group_.emplace(stage_.groups(), fmt::format("{}-{}", step, slot_),
+                   limits.group_mib, limits.processes);
+    const Arguments before = entering(stage_, slot_, limits, group_);
+    command.arguments.insert(command.arguments.begin(), before.begin(),
+                             before.end());
 }
 
 std::unique_ptr<course::Workplace> workplace(Isolation isolation,

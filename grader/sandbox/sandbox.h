@@ -76,6 +76,15 @@ struct Probe {
 };
 Probe probe(const Stage& stage);
 
+/// What one step may use; 0: no limit here.
+struct StepLimits {
+    int cpu_seconds;
+    int process_mib;  ///< address space of each process
+    int group_mib;    ///< memory of all together, where there are groups
+    int file_mib;
+    int processes;
+};
+
 /// One lane of the grader: one submission at a time, under a user number of
 /// its own when the grader runs as root. Nothing of a step outlives it.
 class Sandbox : public course::Workplace {
@@ -92,6 +101,9 @@ public:
                            const course::Descriptor& complaints) override;
 
 private:
+    void enter(course::Command& command, const char* step,
+               const StepLimits& limits);
+
     Isolation isolation_;
     const Stage& stage_;
     int slot_;

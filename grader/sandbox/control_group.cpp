@@ -38,6 +38,21 @@ struct Mount {
     std::string root, point, type, options;
 };
 
+/// A blank and the like stand there as \040, in octal digits.
+std::string unescaped(const std::string& word) {
+    std::string plain;
+    for (std::size_t k = 0; k < word.size(); ++k) {
+        if (word[k] == '\\' && k + 3 < word.size()) {
+            plain +=
+                static_cast<char>(std::stoi(word.substr(k + 1, 3), nullptr, 8));
+            k += 3;
+        } else {
+            plain += word[k];
+        }
+    }
+    return plain;
+}
+
 std::vector<Mount> group_mounts() {
     std::vector<Mount> found;
     std::ifstream in("/proc/self/mountinfo");
@@ -48,8 +63,10 @@ std::vector<Mount> group_mounts() {
         words >> ignored >> ignored >> ignored >> mount.root >> mount.point;
         while (words >> ignored && ignored != "-") continue;
         words >> mount.type >> ignored >> mount.options;
-        if (mount.type == "cgroup" || mount.type == "cgroup2")
-            found.push_back(mount);
+        if (mount.type != "cgroup" && mount.type != "cgroup2") continue;
+        mount.root = unescaped(mount.root);
+        mount.point = unescaped(mount.point);
+        found.push_back(mount);
     }
     return found;
 }
@@ -73,13 +90,19 @@ std::string own_path(const std::string& controller) {
 }
 
 /// Where a group of ours may be made: below our own, so that what holds for us
-/// holds for it, or else at the top.
+/// holds for it, or else as near to it as may be. In a namespace of groups our
+/// own may be out of sight (".."); then only the top is left.
 std::vector<fs::path> parents(const Mount& mount,
                               const std::string& controller) {
-    std::string path = own_path(controller);
-    if (mount.root != "/" && path.rfind(mount.root, 0) == 0)
-        path.erase(0, mount.root.size());
-    return {fs::path(mount.point + path).lexically_normal(), mount.point};
+    const fs::path path =
+        fs::path(own_path(controller)).lexically_relative(mount.root);
+    std::vector<fs::path> found = {mount.point};
+    if (path.empty() || *path.begin() == "..") return found;
+    for (const fs::path& name : path) {
+        if (name.string().rfind(prefix, 0) == 0) break;  // made by us
+        if (name != ".") found.insert(found.begin(), found.front() / name);
+    }
+    return found;
 }
 
 /// A grader that was killed leaves empty groups behind, one in the other.
@@ -105,7 +128,7 @@ fs::path make_own(int number, const std::vector<fs::path>& candidates,
                   const std::vector<std::string>& wanted_files) {
     for (const fs::path& parent : candidates) {
         remove_stale(parent);
-        const fs::path own =
+        fs::path own =
             parent / fmt::format("{}{}-{}", prefix, ::getpid(), number);
         if (::mkdir(own.c_str(), 0755) != 0 && errno != EEXIST) continue;
         bool usable = true;
@@ -117,18 +140,71 @@ fs::path make_own(int number, const std::vector<fs::path>& candidates,
     return {};
 }
 
-/// Version 2 hands a controller down only from a group that holds no process.
+// ---- version 2 hands controllers down only from a group without processes
+
+bool hand_down(const fs::path& group) {
+    return write_to(group / "cgroup.subtree_control", "+memory +pids");
+}
+
+bool holds_only_us(const fs::path& group) {
+    std::ifstream in(group / "cgroup.procs");
+    int first = 0, second = 0;
+    return in >> first && first == ::getpid() && !(in >> second);
+}
+
+fs::path leaf_of(const fs::path& group) {
+    return group / fmt::format("{}{}-self", prefix, ::getpid());
+}
+
+/// Undoes step_down. While another part of ours needs it, nothing happens.
+void step_up(const fs::path& group) {
+    const fs::path leaf = leaf_of(group);
+    if (holds_only_us(leaf)) {
+        write_to(group / "cgroup.subtree_control", "-memory -pids");
+        write_to(group / "cgroup.procs", "0");  // refused while they are needed
+    }
+    ::rmdir(leaf.c_str());
+}
+
+/// Makes room by moving this process into a leaf, as systemd expects it of
+/// those it delegates a group to.
+void step_down(const fs::path& group) {
+    const fs::path leaf = leaf_of(group);
+    if (::mkdir(leaf.c_str(), 0755) != 0 && errno != EEXIST) return;
+    if (!write_to(leaf / "cgroup.procs", "0") || !hand_down(group))
+        step_up(group);
+}
+
 fs::path make_own_v2(int number, const Mount& mount) {
     for (const fs::path& parent : parents(mount, "")) {
-        write_to(parent / "cgroup.subtree_control", "+memory +pids");
-        const fs::path own =
-            make_own(number, {parent}, {"memory.max", "pids.max"});
-        if (own.empty()) continue;
-        if (write_to(own / "cgroup.subtree_control", "+memory +pids"))
-            return own;
-        ::rmdir(own.c_str());
+        // To join from a group beside it, a step must be let write here, too.
+        if (::access((parent / "cgroup.procs").c_str(), W_OK) != 0) continue;
+        if (!hand_down(parent) && errno == EBUSY && holds_only_us(parent))
+            step_down(parent);
+        fs::path own = make_own(number, {parent}, {"memory.max", "pids.max"});
+        if (!own.empty() && hand_down(own)) return own;
+        if (!own.empty()) ::rmdir(own.c_str());
+        step_up(parent);
     }
     return {};
+}
+
+// ---- version 1 has a hierarchy for each controller
+
+struct Controller {
+    Kind kind;
+    const char* name;
+    const char* limit;  // the top has none, a group in it has
+};
+
+constexpr Controller version_1[] = {
+    {Kind::v1_memory, "memory", "memory.limit_in_bytes"},
+    {Kind::v1_processes, "pids", "pids.max"}};
+
+bool has(const std::vector<GroupFolder>& folders, Kind kind) {
+    for (const GroupFolder& group : folders)
+        if (group.kind == kind) return true;
+    return false;
 }
 
 // ---- one group
@@ -159,7 +235,8 @@ std::vector<Limit> limits_of(Kind kind, int memory_mib, int processes) {
 void kill_members(const fs::path& folder) {
     if (write_to(folder / "cgroup.kill", "1")) return;
     std::ifstream in(folder / "cgroup.procs");
-    for (int pid = 0; in >> pid;) ::kill(pid, SIGKILL);
+    for (int pid = 0; in >> pid;)
+        if (pid > 0) ::kill(pid, SIGKILL);  // 0: of a namespace above
 }
 
 /// A group can be removed when the last process in it is gone; a kill takes a
@@ -179,25 +256,27 @@ ControlGroups::ControlGroups() {
     static std::atomic<int> made = 0;
     const int number = ++made;  // a process may have several, in its tests
     for (const Mount& mount : group_mounts()) {
-        fs::path own;
         if (mount.type == "cgroup2") {
-            own = make_own_v2(number, mount);
-            if (!own.empty()) folders_ = {{Kind::v2, own}};
-            if (!own.empty()) return;
-        } else if (lists(mount.options, "memory")) {
-            own = make_own(number, parents(mount, "memory"),
-                           {"memory.limit_in_bytes"});
-            if (!own.empty()) folders_.push_back({Kind::v1_memory, own});
-        } else if (lists(mount.options, "pids")) {
-            // The top has no limit of its own; a group in it has.
-            own = make_own(number, parents(mount, "pids"), {"pids.max"});
-            if (!own.empty()) folders_.push_back({Kind::v1_processes, own});
+            const fs::path own = make_own_v2(number, mount);
+            if (own.empty()) continue;
+            folders_ = {{Kind::v2, own}};
+            return;
+        }
+        for (const Controller& one : version_1) {
+            if (!lists(mount.options, one.name) || has(folders_, one.kind))
+                continue;
+            const fs::path own =
+                make_own(number, parents(mount, one.name), {one.limit});
+            if (!own.empty()) folders_.push_back({one.kind, own});
         }
     }
 }
 
 ControlGroups::~ControlGroups() {
-    for (const GroupFolder& group : folders_) ::rmdir(group.folder.c_str());
+    for (const GroupFolder& group : folders_) {
+        ::rmdir(group.folder.c_str());
+        if (group.kind == Kind::v2) step_up(group.folder.parent_path());
+    }
 }
 
 std::string ControlGroups::text() const {
@@ -211,7 +290,8 @@ std::string ControlGroups::text() const {
 }
 
 ControlGroup::ControlGroup(const ControlGroups& all, const std::string& name,
-                           int memory_mib, int processes) {
+                           int memory_mib, int processes)
+    : ControlGroup() {  // from here on, a throw ends what has been made
     for (const GroupFolder& group : all.folders()) {
         const fs::path folder = group.folder / name;
         if (::mkdir(folder.c_str(), 0755) != 0 && errno != EEXIST)

@@ -20,7 +20,8 @@ struct GroupFolder {
 /// graders left is removed on the way.
 class ControlGroups {
 public:
-    /// Finds what there is; none is no error.
+    /// Finds what there is; none is no error. Version 2 may move this process
+    /// into a group below its own for as long as the object lives.
     ControlGroups();
     ~ControlGroups();
     ControlGroups(const ControlGroups&) = delete;
@@ -52,6 +53,8 @@ public:
     std::vector<std::filesystem::path> members() const;
 
 private:
+    ControlGroup() = default;
+
     std::vector<std::filesystem::path> folders_;
 };
 

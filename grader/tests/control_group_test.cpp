@@ -7,8 +7,10 @@
 
 #include <csignal>
 #include <fstream>
+#include <memory>
 
 #include "course/runner/catch2.h"
+#include "course/runner/exercises.h"
 #include "course/runner/process.h"
 #include "course/runner/temporary_folder.h"
 
@@ -96,6 +98,33 @@ TEST_CASE(
     std::string pid, name, state = "gone";
     status >> pid >> name >> state;
     CHECK((state == "gone" || state == "Z"));
+}
+
+TEST_CASE("a group whose limits the kernel refuses leaves nothing behind") {
+    const ControlGroups groups;
+    if (!has_groups(groups)) return;
+    CHECK_THROWS_AS(ControlGroup(groups, "refused", -1, -1),
+                    course::SystemError);
+    for (const auto& group : groups.folders())
+        CHECK_FALSE(fs::exists(group.folder / "refused"));
+}
+
+TEST_CASE("this process is where it was when the last of its groups ends") {
+    const std::string before = course::read_file("/proc/self/cgroup");
+    // The cases before this one have had groups, too.
+    CHECK(before.find(fmt::format("-{}-self", ::getpid())) ==
+          std::string::npos);
+    auto first = std::make_unique<ControlGroups>();
+    auto second = std::make_unique<ControlGroups>();
+    CHECK(second->folders().size() == first->folders().size());
+    std::vector<fs::path> made;
+    for (const auto& group : first->folders()) made.push_back(group.folder);
+    for (const auto& group : second->folders()) made.push_back(group.folder);
+    first.reset();
+    { const ControlGroup still_works(*second, "step", 64, 8); }
+    second.reset();
+    CHECK(course::read_file("/proc/self/cgroup") == before);
+    for (const fs::path& folder : made) CHECK_FALSE(fs::exists(folder));
 }
 
 TEST_CASE("groups of a process that is gone are removed by the next one") {

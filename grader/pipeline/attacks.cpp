@@ -88,7 +88,7 @@ fs::path hand_in(const Attack& attack, const fs::path& folder) {
     for (auto at = text.find(key); at != std::string::npos;
          at = text.find(key, at + root.size()))
         text.replace(at, key.size(), root);
-    const fs::path file =
+    fs::path file =
         folder / course::exercise_named(attack.exercise).file_name();
     std::ofstream out(file, std::ios::binary);
     out << text;

@@ -102,16 +102,15 @@ void look_at_student(int dir, const std::string& name,
     if (kind == FileKind::link) {
         to.note(name +
                 ": is a symbolic link, and links are never followed: ignored");
-    } else if (is_left_behind(name)) {
-        to.ignore(name);
-    } else if (kind == FileKind::folder) {
+    } else if (kind == FileKind::folder && !is_left_behind(name)) {
         Collector& student = to.folder(name);
         if (const Descriptor root = open_folder(dir, name))
             walk_folder(root.get(), limits, student);
         else
             student.note(fmt::format("the folder cannot be read ({})",
                                      std::strerror(errno)));
-    } else if (kind == FileKind::file && archive_format(name)) {
+    } else if (kind == FileKind::file && archive_format(name) &&
+               !is_left_behind(name)) {
         look_at_file(dir, name, name, limits, to.archive(name));
     } else {
         to.ignore(name);

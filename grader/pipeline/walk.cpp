@@ -115,7 +115,8 @@ void walk_folder(int root, const IngestLimits& limits, Collector& to) {
         std::vector<std::string> names;
         if (!list_folder(fd.get(), folder, limits, to, names)) return;
         for (const std::string& name : names)
-            look_at(fd.get(), name, folder.empty() ? name : folder + "/" + name,
+            look_at(fd.get(), name,
+                    folder.empty() ? name : fmt::format("{}/{}", folder, name),
                     limits, to, waiting);
     }
 }

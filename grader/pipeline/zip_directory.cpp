@@ -15,7 +15,7 @@ namespace grader {
 
 namespace {
 
-using std::string_view_literals::operator""sv;
+using namespace std::string_view_literals;
 
 constexpr std::uint64_t most_directory_bytes = std::uint64_t{256} << 20;
 constexpr std::uint64_t encryption = 0x2041;       // of an entry's flags

@@ -248,7 +248,7 @@ void Client::begin_call() {
 }
 
 void Client::ask_ahead(const HalfEdgeTable& he, std::vector<int> starts) {
-    ahead_ = Ahead{&he, std::move(starts), {}};
+    ahead_ = Ahead{&he, std::move(starts), 0, {}};
 }
 
 // The arguments of f(he, i): id and budget of the table, start.
@@ -259,19 +259,26 @@ bool Client::is_ahead(const Request& request) const {
            request.arguments.bytes.size() == table_argument + sizeof(int);
 }
 
-/// One request for all calls that were announced, with the table and the
-/// budget of this one.
+/// One request for the next calls that were announced, with the table and the
+/// budget of this one. Not for all: who answers wrong is told so soon.
 void Client::fetch_ahead(const Request& request) {
     const std::string table = request.arguments.bytes.substr(0, table_argument);
     Request all = request;
     all.arguments = {};
-    put(all.arguments, static_cast<std::uint32_t>(ahead_->starts.size()));
-    for (const int start : ahead_->starts)
-        put(all.arguments, table + encode(start));
+    constexpr std::size_t most = 500;
+    const auto first = static_cast<std::ptrdiff_t>(ahead_->asked);
+    const std::size_t n = std::min(most, ahead_->starts.size() - ahead_->asked);
+    const std::vector<int> starts(
+        ahead_->starts.begin() + first,
+        ahead_->starts.begin() + first + static_cast<std::ptrdiff_t>(n));
+    ahead_->asked += n;
+    ahead_->answers.clear();
+    put(all.arguments, static_cast<std::uint32_t>(n));
+    for (const int start : starts) put(all.arguments, table + encode(start));
     const std::string body = ask(CallStatus::many, all);
     try {
         Reader in(body);
-        for (const int start : ahead_->starts) {
+        for (const int start : starts) {
             const auto reads = get<std::int64_t>(in);
             ahead_->answers[table + encode(start)] = {reads,
                                                       get<std::string>(in)};
@@ -283,8 +290,12 @@ void Client::fetch_ahead(const Request& request) {
 }
 
 std::string Client::answered_ahead(const Request& request) {
-    if (ahead_->answers.empty()) fetch_ahead(request);
-    const auto found = ahead_->answers.find(request.arguments.bytes);
+    auto found = ahead_->answers.find(request.arguments.bytes);
+    if (found == ahead_->answers.end() &&
+        ahead_->asked < ahead_->starts.size()) {
+        fetch_ahead(request);
+        found = ahead_->answers.find(request.arguments.bytes);
+    }
     if (found == ahead_->answers.end())
         return ask(CallStatus::returned, request);
     last_call_.walk.clear();

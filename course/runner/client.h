@@ -80,9 +80,9 @@ public:
     /// or what the student's function threw.
     std::string call(const Request& request);
 
-    /// The next calls f(he, i) are those for i in `starts`: with the first of
-    /// them all are asked for, in one conversation. For as long as the
-    /// function and the read budget of the calls stay the same.
+    /// The next calls f(he, i) are those for i in `starts`, in this order: with
+    /// one of them some hundred are asked for, in one conversation. For as long
+    /// as the function and the read budget of the calls stay the same.
     void ask_ahead(const HalfEdgeTable& he, std::vector<int> starts);
     void stop_asking_ahead() { ahead_.reset(); }
 
@@ -109,6 +109,7 @@ private:
     struct Ahead {
         const HalfEdgeTable* he;
         std::vector<int> starts;
+        std::size_t asked;  ///< the first so many were asked for
         std::map<std::string, std::pair<std::int64_t, std::string>> answers;
     };
 

@@ -180,8 +180,9 @@ bool answer(const Entry& entry, WorkerCall& call) {
 /// the streams then fall silent, and what stdio prints is overwritten.
 class FewPrints {
 public:
-    void before_call(std::uint32_t k) {
+    void before_call() {
         constexpr std::uint32_t calls_that_print = 100, step = 64;
+        const std::uint32_t k = calls_++;
         if (k < calls_that_print || (k - calls_that_print) % step != 0) return;
         std::fflush(stdout);
         if (k > calls_that_print) {
@@ -194,16 +195,17 @@ public:
     }
 
 private:
+    std::uint32_t calls_ = 0;
     off_t end_ = 0;
 };
 
 /// Many calls, without a conversation between them.
-bool answer_many(const Entry& entry, Reader& in, const WorkerTables& tables) {
-    FewPrints prints;
+bool answer_many(const Entry& entry, Reader& in, const WorkerTables& tables,
+                 FewPrints& prints) {
     Writer trace, results;
     const auto n = get<std::uint32_t>(in);
     for (std::uint32_t k = 0; k < n; ++k) {
-        prints.before_call(k);
+        prints.before_call();
         WorkerCall call{Reader(in.take(in.count(1))), {}, tables};
         if (const auto sent = failed(entry, call)) return *sent;
         put(results,
@@ -248,6 +250,7 @@ void serve_calls(const std::string& submission, int channel) {
     std::string why;
     const Entry* entry = load(submission, why);
     WorkerTables tables;
+    FewPrints prints;
     std::string body;
     while (read_all(channel, &running.request, sizeof running.request)) {
         body.resize(running.request.length);
@@ -261,7 +264,7 @@ void serve_calls(const std::string& submission, int channel) {
         bool sent = false;
         try {
             sent = running.request.status == CallStatus::many
-                       ? answer_many(*entry, call.in, tables)
+                       ? answer_many(*entry, call.in, tables, prints)
                        : answer(*entry, call);
         } catch (const std::bad_alloc&) {  // the results are too many
             sent = reply(CallStatus::out_of_memory, trace_of(call).bytes);

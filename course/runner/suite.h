@@ -61,9 +61,9 @@ std::vector<Fixture> generated_fixtures();
 /// case; its calls then have one second of CPU time in all.
 const Fixture& a_million_half_edges();
 
-/// While it lives, calls f(he, i) are asked for ahead: all of `starts` in one
-/// conversation, with the first of them. For one function, whose arguments are
-/// the table and the half-edge, under one read budget for each call.
+/// While it lives, calls f(he, i) are asked for ahead: those for i in `starts`,
+/// in this order, many in one conversation. For one function, whose arguments
+/// are the table and the half-edge, under one read budget for each call.
 class AskAhead {
 public:
     AskAhead(const HalfEdgeTable& he, std::vector<int> starts);

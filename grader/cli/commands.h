@@ -39,7 +39,6 @@ public:
 
     const Stage& stage() const { return stage_; }
     int jobs() const { return jobs_; }
-    Isolation isolation() const { return isolation_; }
     std::string isolation_text() const;
     std::unique_ptr<course::Workplace> workplace(int lane) const;
 

@@ -5,6 +5,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <string>
+
+#include "course/halfedge/table_errors.h"
 
 #if COURSE_TABLE != 0
 

@@ -19,6 +19,9 @@ Client* the_client = nullptr;
 // a fault of the grader, never of the submission.
 constexpr std::chrono::seconds launcher_patience{20};
 
+/// A request for many calls failed: that is forgotten, they are asked singly.
+struct AskedInVain {};
+
 /// The launcher lives, as far as is known, but says nothing.
 struct LauncherSilent : SystemError {
     using SystemError::SystemError;
@@ -132,13 +135,20 @@ void Client::set_current(Client* client) {
 void Client::begin_case() {
     poisoned_ = false;
     last_call_ = {};
+    answered_.reset();
     output_.reset();
-    cpu_seconds_ = limits_.cpu_seconds;
+    cpu_limit_ = std::chrono::seconds(limits_.cpu_seconds);
     case_end_ = Clock::now() + std::chrono::milliseconds(limits_.case_ms);
 }
 
-void Client::limit_cpu(std::int32_t seconds) {
-    cpu_seconds_ = std::min(cpu_seconds_, seconds);
+void Client::limit_cpu(std::chrono::milliseconds most) {
+    cpu_limit_ = std::min(cpu_limit_, most);
+}
+
+void Client::send_as(const HalfEdgeTable& table, const Copies& copies) {
+    for (const SentTable& sent : sent_)
+        if (sent.copies == &copies) return;
+    sent_.push_back({next_table_++, table.rows().data(), {}, 0, &copies});
 }
 
 void Client::end_case() {
@@ -174,7 +184,8 @@ void Client::start_worker() {
     output_ = anonymous_file();
     channel_ = std::move(ends.first);
     Limits limits = limits_;
-    limits.cpu_seconds = cpu_seconds_;
+    limits.cpu_seconds = static_cast<std::int32_t>(
+        std::chrono::ceil<std::chrono::seconds>(cpu_limit_).count());
     const LauncherOrder order{Order::start_worker, ++generation_, limits};
     const int passed[] = {ends.second.get(), output_.get()};
     const std::string_view bytes(reinterpret_cast<const char*>(&order),
@@ -196,17 +207,30 @@ void Client::end_worker() {
     if (send_all(control_.get(), bytes, Clock::now() + launcher_patience) !=
         Transfer::done)
         throw SystemError("the sandbox is gone");
-    wait_for_event(Event::ended, launcher_patience);
+    check_cpu(wait_for_event(Event::ended, launcher_patience).cpu_us);
+}
+
+/// The calls were answered, but took more time than they have in all.
+void Client::check_cpu(std::int64_t used_us) {
+    const std::chrono::microseconds used(used_us);
+    if (poisoned_ || asking_ahead_ || used <= cpu_limit_ || !on_failure) return;
+    on_failure(Verdict::time_limit_exceeded,
+               fmt::format("the calls of this case took {} ms of CPU time; {} "
+                           "ms are enough for them where the cost does not "
+                           "grow with the mesh",
+                           used_us / 1000, cpu_limit_.count()));
 }
 
 Client::SentTable& Client::known_table(const HalfEdgeTable& table) {
     const std::vector<HalfEdge>& rows = table.rows();
     for (SentTable& sent : sent_)
-        if ((rows.size() <= small_table || sent.rows == rows.data()) &&
-            same_rows(sent.copy, rows))
+        if (sent.copies != nullptr && sent.rows == rows.data())
+            return sent;
+        else if ((rows.size() <= small_table || sent.rows == rows.data()) &&
+                 same_rows(sent.copy, rows))
             return sent;
     if (sent_.size() >= most_tables) sent_.pop_front();
-    sent_.push_back({next_table_++, rows.data(), rows, 0});
+    sent_.push_back({next_table_++, rows.data(), rows, 0, nullptr});
     return sent_.back();
 }
 
@@ -216,7 +240,11 @@ void Client::add_table(Request& request, const HalfEdgeTable& table) {
         known.generation = generation_;
         ++request.table_count;
         put(request.tables, known.id);
-        put(request.tables, table);
+        put(request.tables, known.copies != nullptr);
+        if (known.copies != nullptr)
+            put(request.tables, *known.copies);
+        else
+            put(request.tables, table);
     }
     put(request.arguments, known.id);
     put(request.arguments,
@@ -226,7 +254,10 @@ void Client::add_table(Request& request, const HalfEdgeTable& table) {
 }
 
 Clock::time_point Client::deadline() const {
-    const int most = timeouts_ == 0 ? limits_.call_ms : limits_.later_call_ms;
+    // Honest calls take microseconds, and asking ahead may fail.
+    constexpr int many_ms = 500;
+    int most = timeouts_ == 0 ? limits_.call_ms : limits_.later_call_ms;
+    if (asking_ahead_) most = std::min(most, many_ms);
     return std::min(case_end_, Clock::now() + std::chrono::milliseconds(most));
 }
 
@@ -248,7 +279,7 @@ void Client::begin_call() {
 }
 
 void Client::ask_ahead(const HalfEdgeTable& he, std::vector<int> starts) {
-    ahead_ = Ahead{&he, std::move(starts), 0, {}};
+    if (!one_by_one_) ahead_ = Ahead{&he, std::move(starts), 0, {}};
 }
 
 // The arguments of f(he, i): id and budget of the table, start.
@@ -259,12 +290,20 @@ bool Client::is_ahead(const Request& request) const {
            request.arguments.bytes.size() == table_argument + sizeof(int);
 }
 
+std::string Client::ask_for_many(const Request& request,
+                                 const std::string& table,
+                                 const std::vector<int>& starts) {
+    Request all = request;
+    all.arguments = {};
+    put(all.arguments, static_cast<std::uint32_t>(starts.size()));
+    for (const int start : starts) put(all.arguments, table + encode(start));
+    return ask(CallStatus::many, all);
+}
+
 /// One request for the next calls that were announced, with the table and the
 /// budget of this one. Not for all: who answers wrong is told so soon.
 void Client::fetch_ahead(const Request& request) {
     const std::string table = request.arguments.bytes.substr(0, table_argument);
-    Request all = request;
-    all.arguments = {};
     constexpr std::size_t most = 500;
     const auto first = static_cast<std::ptrdiff_t>(ahead_->asked);
     const std::size_t n = std::min(most, ahead_->starts.size() - ahead_->asked);
@@ -273,44 +312,69 @@ void Client::fetch_ahead(const Request& request) {
         ahead_->starts.begin() + first + static_cast<std::ptrdiff_t>(n));
     ahead_->asked += n;
     ahead_->answers.clear();
-    put(all.arguments, static_cast<std::uint32_t>(n));
-    for (const int start : starts) put(all.arguments, table + encode(start));
-    const std::string body = ask(CallStatus::many, all);
-    try {
-        Reader in(body);
-        for (const int start : starts) {
-            const auto reads = get<std::int64_t>(in);
-            ahead_->answers[table + encode(start)] = {reads,
-                                                      get<std::string>(in)};
-        }
-        in.done();
-    } catch (const CodecError& error) {
-        malformed(error.what());
+    const std::string body = ask_for_many(request, table, starts);
+    Reader in(body);
+    for (const int start : starts) {
+        const auto reads = get<std::int64_t>(in);
+        ahead_->answers[table + encode(start)] = {reads, get<std::string>(in)};
     }
+    in.done();
 }
 
-std::string Client::answered_ahead(const Request& request) {
+std::optional<std::string> Client::answered_ahead(const Request& request) {
     auto found = ahead_->answers.find(request.arguments.bytes);
     if (found == ahead_->answers.end() &&
         ahead_->asked < ahead_->starts.size()) {
+        asking_ahead_ = true;
         fetch_ahead(request);
+        asking_ahead_ = false;
         found = ahead_->answers.find(request.arguments.bytes);
     }
-    if (found == ahead_->answers.end())
-        return ask(CallStatus::returned, request);
+    if (found == ahead_->answers.end()) return std::nullopt;
     last_call_.walk.clear();
     last_call_.reads = std::max<std::int64_t>(found->second.first, 0);
     request.walked->note_reads(last_call_.reads, {});
+    answered_ = request;
     return found->second.second;
 }
 
-std::string Client::call(const Request& request) {
-    return is_ahead(request) ? answered_ahead(request)
-                             : ask(CallStatus::returned, request);
+/// After asking ahead has failed, in whatever way.
+void Client::begin_again() {
+    one_by_one_ = true;
+    ahead_.reset();
+    end_case();
+    asking_ahead_ = false;
+    begin_call();
+}
+
+std::string Client::call(const std::function<Request()>& make) {
+    const Request request = make();
+    if (!is_ahead(request)) return ask(CallStatus::returned, request);
+    try {
+        if (auto answer = answered_ahead(request)) return *std::move(answer);
+    } catch (const AskedInVain&) {
+    } catch (const std::exception&) {  // the student's, or not decoded
+    }
+    if (!asking_ahead_) return ask(CallStatus::returned, request);
+    begin_again();
+    return ask(CallStatus::returned, make());
+}
+
+void Client::walk_again() {
+    if (!answered_ || poisoned_ || !alive_) return;
+    const auto tell = std::exchange(on_failure, nullptr);
+    try {
+        const Request again = *std::exchange(answered_, std::nullopt);
+        ask(CallStatus::returned, again);
+    } catch (const WorkerFailed&) {  // the check has failed already
+    } catch (const std::exception&) {
+    }
+    on_failure = tell;
 }
 
 std::string Client::ask(CallStatus kind, const Request& request) {
     walked_ = request.walked;
+    answered_.reset();
     reply_extra_ = request.table_bytes;
     if (has_input(channel_.get()))
         fail(Verdict::forbidden_operation,
@@ -432,6 +496,7 @@ std::string Client::printed() const {
 }
 
 void Client::fail(Verdict verdict, const std::string& why) {
+    if (asking_ahead_) throw AskedInVain{};
     poisoned_ = true;
     // A hostile worker may give an empty one.
     if (on_failure) on_failure(verdict, why.empty() ? "no reason given" : why);
@@ -444,6 +509,7 @@ void Client::malformed(const std::string& why) {
 }
 
 void Client::ran_out_of_time(const std::string& why) {
+    if (asking_ahead_) throw AskedInVain{};
     if (++timeouts_ >= limits_.max_timeouts)
         for_good_ = {Verdict::time_limit_exceeded,
                      fmt::format("not run: the program ran out of time in {} "
@@ -487,7 +553,8 @@ void Client::worker_is_gone() {
                          limits_.output_kib));
     if (signal == SIGXCPU ||
         (signal == SIGKILL &&
-         event.cpu_us >= std::int64_t{1'000'000} * cpu_seconds_ - 100'000))
+         event.cpu_us >=
+             std::chrono::microseconds(cpu_limit_).count() - 100'000))
         ran_out_of_time("no answer");
     if (signal == SIGKILL)
         fail(Verdict::memory_limit_exceeded,

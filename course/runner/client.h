@@ -2,6 +2,7 @@
 // case, hard limits on time and size, and a record of what went wrong.
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <list>
@@ -10,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "course/halfedge/copies.h"
 #include "course/runner/codec.h"
 #include "course/runner/descriptors.h"
 #include "course/runner/limits.h"
@@ -63,8 +65,14 @@ public:
     /// A case begins: the next call gets a fresh worker.
     void begin_case();
 
-    /// Less CPU time for all calls of this case; before its first call.
-    void limit_cpu(std::int32_t seconds);
+    /// Less CPU time for all calls of this case; before its first call. The
+    /// worker is ended at the next full second, and the case is failed
+    /// at its end when it took more.
+    void limit_cpu(std::chrono::milliseconds most);
+
+    /// The table is made of copies: the worker is sent these, and makes it.
+    /// Precondition: the table stays as it is, and where it is.
+    void send_as(const HalfEdgeTable& table, const Copies& copies);
 
     /// The case is over: its worker is ended, and everything that it started.
     void end_case();
@@ -76,13 +84,15 @@ public:
     /// Adds a table argument: its rows once per worker, then by id.
     void add_table(Request& request, const HalfEdgeTable& table);
 
-    /// Sends the request; returns the bytes of the result. Throws WorkerFailed,
-    /// or what the student's function threw.
-    std::string call(const Request& request);
+    /// Sends the request that `make` makes; returns the bytes of the result.
+    /// Throws WorkerFailed, or what the student's function threw.
+    std::string call(const std::function<Request()>& make);
 
-    /// The next calls f(he, i) are those for i in `starts`, in this order: with
-    /// one of them some hundred are asked for, in one conversation. For as long
-    /// as the function and the read budget of the calls stay the same.
+    /// The next calls f(he, i) are those for some i in `starts`, in this order:
+    /// with one of them some hundred are asked for, in one conversation. For as
+    /// long as the function and the read budget of the calls stay the same.
+    /// Where that fails, nothing has happened: a fresh worker is asked one by
+    /// one, and so are all after it.
     void ask_ahead(const HalfEdgeTable& he, std::vector<int> starts);
     void stop_asking_ahead() { ahead_.reset(); }
 
@@ -90,6 +100,10 @@ public:
     [[noreturn]] void malformed(const std::string& why);
 
     LastCall& last_call() { return last_call_; }
+
+    /// Where the last call was answered ahead: makes it once more, for its
+    /// walk, which the message of a failed check shows.
+    void walk_again();
 
     /// What the submission printed in this case, at most 2 KiB, as it came.
     std::string printed() const;
@@ -102,7 +116,8 @@ private:
         std::uint64_t id;
         const HalfEdge* rows;  ///< where the judge's table lies
         std::vector<HalfEdge> copy;
-        std::uint32_t generation;  ///< the worker that has it
+        std::uint32_t generation;        ///< the worker that has it
+        const Copies* copies = nullptr;  ///< sent instead of the rows
     };
 
     /// Answers to calls that were not made yet, by their arguments.
@@ -117,8 +132,12 @@ private:
     void end_worker();
     std::string ask(CallStatus kind, const Request& request);
     bool is_ahead(const Request& request) const;
-    std::string answered_ahead(const Request& request);
+    std::optional<std::string> answered_ahead(const Request& request);
+    std::string ask_for_many(const Request& request, const std::string& table,
+                             const std::vector<int>& starts);
     void fetch_ahead(const Request& request);
+    void begin_again();
+    void check_cpu(std::int64_t used_us);
     LauncherEvent wait_for_event(Event wanted, std::chrono::milliseconds most);
     SentTable& known_table(const HalfEdgeTable& table);
     Clock::time_point deadline() const;
@@ -135,7 +154,7 @@ private:
 
     Descriptor control_;
     Limits limits_;
-    std::int32_t cpu_seconds_ = 0;  ///< of this case's worker
+    std::chrono::milliseconds cpu_limit_{};  ///< of this case's worker
     Descriptor channel_;
     Descriptor output_;
     std::uint32_t generation_ = 0;
@@ -150,6 +169,9 @@ private:
     Clock::time_point run_end_;
     std::list<SentTable> sent_;
     std::optional<Ahead> ahead_;
+    bool one_by_one_ = false;    ///< asking ahead has failed once
+    bool asking_ahead_ = false;  ///< a failure now is none of the submission's
+    std::optional<Request> answered_;  ///< the last call, if answered ahead
     std::uint64_t next_table_ = 1;
     LastCall last_call_;
     const HalfEdgeTable* walked_ = nullptr;

@@ -3,12 +3,18 @@
 #include <cxxabi.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdlib>
+#include <functional>
+#include <set>
 #include <sstream>
 
 namespace course {
 
 namespace {
+
+constexpr const char* lean_prelude = "course/runner/prelude.h";
+constexpr const char* full_prelude = "course/runner/prelude_full.h";
 
 /// "int face_sides(HalfEdgeTable const&, int)" from its symbol.
 std::string plain_name(const std::string& symbol) {
@@ -18,6 +24,22 @@ std::string plain_name(const std::string& symbol) {
     std::string text = plain != nullptr ? plain : symbol;
     std::free(plain);
     return for_students(std::move(text));
+}
+
+/// The <headers> that a text includes, by a look at its lines: one in a comment
+/// counts too.
+std::set<std::string, std::less<>> standard_headers(std::string_view text) {
+    std::set<std::string, std::less<>> headers;
+    const std::string_view directive = "include";
+    for (auto at = text.find(directive); at != std::string_view::npos;
+         at = text.find(directive, at)) {
+        at = std::min(text.find_first_not_of(" \t", at + directive.size()),
+                      text.size());
+        if (at == text.size() || text[at] != '<') continue;
+        const auto end = std::min(text.find_first_of(">\n", at), text.size());
+        headers.emplace(text.substr(at + 1, end - at - 1));
+    }
+    return headers;
 }
 
 }  // namespace
@@ -34,15 +56,27 @@ std::filesystem::path entry_object(const Exercise& exercise) {
     return build_root() / "student" / "entries" / (exercise.name + ".o");
 }
 
+Prelude prelude_for(std::string_view source) {
+    static const std::set<std::string, std::less<>> lean =
+        standard_headers(read_file(student_include() / lean_prelude));
+    const auto used = standard_headers(source);
+    return std::includes(lean.begin(), lean.end(), used.begin(), used.end())
+               ? Prelude::lean
+               : Prelude::full;
+}
+
 std::vector<std::string> compile_arguments(const std::string& source,
                                            const std::string& object,
-                                           const std::string& include) {
+                                           const std::string& include,
+                                           Prelude prelude) {
+    const std::string header =
+        prelude == Prelude::lean ? lean_prelude : full_prelude;
     std::vector<std::string> arguments = {compiler()};
     std::istringstream flags(COURSE_STUDENT_FLAGS);
     for (std::string flag; flags >> flag;) arguments.push_back(flag);
     for (const std::string& argument :
          {std::string("-I") + include, std::string("-include"),
-          include + "/prelude.h", std::string("-c"), source, std::string("-o"),
+          include + "/" + header, std::string("-c"), source, std::string("-o"),
           object})
         arguments.push_back(argument);
     return arguments;

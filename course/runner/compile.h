@@ -5,6 +5,7 @@
 #include <chrono>
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "course/runner/exercises.h"
@@ -19,17 +20,27 @@ inline constexpr std::size_t most_compiler_output = 65'536;
 std::string compiler();
 
 /// Folder with the headers that a submission may include, and with the
-/// precompiled prelude.
+/// precompiled preludes.
 std::filesystem::path student_include();
 
 /// What the worker calls, compiled already.
 std::filesystem::path entry_object(const Exercise& exercise);
 
+/// What is compiled already when a submission begins: prelude.h or
+/// prelude_full.h.
+enum class Prelude { lean, full };
+
+/// The prelude to compile this text with: lean where it includes nothing that
+/// is not in there. Names may still be used that only `full` declares: when
+/// compiling with `lean` fails (exit code 1), `full` has the last word.
+Prelude prelude_for(std::string_view source);
+
 /// Arguments of the compile step: `source` to `object`, headers from
 /// `include`. The lab and the sandbox differ in the paths only.
 std::vector<std::string> compile_arguments(const std::string& source,
                                            const std::string& object,
-                                           const std::string& include);
+                                           const std::string& include,
+                                           Prelude prelude);
 
 /// Arguments of the link step: both objects to one shared object.
 std::vector<std::string> link_arguments(const std::string& object,

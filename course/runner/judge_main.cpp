@@ -92,6 +92,7 @@ Failure failure_of_last_call() {
     if (!case_record().meshes.empty())
         failure.mesh = picture_of(*case_record().meshes.back());
     if (Client::current() == nullptr) return failure;
+    Client::current()->walk_again();
     const LastCall& last = Client::current()->last_call();
     if (last.call) failure.call = last.call();
     if (last.got) failure.got = last.got();

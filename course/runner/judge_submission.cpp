@@ -1,6 +1,7 @@
 #include "course/runner/judge_submission.h"
 
 #include <fmt/format.h>
+#include <sys/wait.h>
 
 #include <optional>
 
@@ -95,8 +96,15 @@ Compiled LocalWorkplace::compile(const Exercise& exercise,
                                  const fs::path& source,
                                  const fs::path& shared) {
     const std::string object = shared.string() + ".o";
-    Finished compiled =
-        run_step(compile_arguments(source, object, student_include()));
+    const auto compile_with = [&](Prelude prelude) {
+        return run_step(
+            compile_arguments(source, object, student_include(), prelude));
+    };
+    const Prelude prelude = prelude_for(read_file(source));
+    Finished compiled = compile_with(prelude);
+    if (prelude == Prelude::lean && WIFEXITED(compiled.status) &&
+        WEXITSTATUS(compiled.status) == 1)
+        compiled = compile_with(Prelude::full);
     if (compiled.status == 0 && !compiled.timed_out) {
         const std::string messages = compiled.output;
         compiled =

@@ -46,12 +46,13 @@ enum class CallStatus : std::uint32_t {
     many = 7,            ///< of a request: for several calls, see below
 };
 
-/// A request: tables that are new to the worker (count, then id and rows of
-/// each), then the arguments; a table is named by its id and its read budget.
-/// One for many calls has instead of the arguments their number, and for each
-/// the length of its arguments and they; to which the reply `returned` has,
-/// behind the trace of the last call, the reads, the length of the result and
-/// the result of each. One call that fails is the reply to all.
+/// A request: tables that are new to the worker (count, then of each its id,
+/// whether it is made of copies, and its rows or the Copies), then the
+/// arguments; a table is named by its id and its read budget. One for many
+/// calls has instead of the arguments their number, and for each the length of
+/// its arguments and they; to which the reply `returned` has, behind the trace
+/// of the last call, the reads, the length of the result and the result of
+/// each. One call that fails is the reply to all.
 struct FrameHead {
     std::uint32_t magic;
     CallStatus status;     ///< of a request: returned for one call, or many

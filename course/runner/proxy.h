@@ -63,9 +63,11 @@ R remote_call(const char* name, const A&... arguments) {
     Client& client = *Client::current();
     detail::note_call(client.last_call(), name, arguments...);
     client.begin_call();
-    Request request;
-    (detail::add(client, request, arguments), ...);
-    const std::string reply = client.call(request);
+    const std::string reply = client.call([&] {
+        Request request;
+        (detail::add(client, request, arguments), ...);
+        return request;
+    });
     try {
         R result = decode<R>(reply);
         client.last_call().got = [result] { return show(result); };

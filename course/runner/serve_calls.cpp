@@ -16,6 +16,8 @@
 #include <optional>
 #include <typeinfo>
 
+#include "course/halfedge/copies.h"
+#include "course/halfedge/table_errors.h"
 #include "course/runner/descriptors.h"
 #include "course/runner/launcher.h"
 #include "course/runner/protocol.h"
@@ -212,6 +214,7 @@ bool answer_many(const Entry& entry, Reader& in, const WorkerTables& tables,
             call.walked != nullptr ? call.walked->reads() : std::int64_t{0});
         put(results, call.out.bytes);
         if (k + 1 == n) trace = trace_of(call);
+        running.call = nullptr;
     }
     return reply(CallStatus::returned, trace.bytes + results.bytes);
 }
@@ -220,7 +223,9 @@ void take_new_tables(Reader& in, WorkerTables& tables) {
     const auto n = get<std::uint32_t>(in);
     for (std::uint32_t k = 0; k < n; ++k) {
         const auto id = get<std::uint64_t>(in);
-        tables.insert_or_assign(id, get<HalfEdgeTable>(in));
+        const bool is_copies = get<bool>(in);
+        tables.insert_or_assign(
+            id, is_copies ? table_of(get<Copies>(in)) : get<HalfEdgeTable>(in));
     }
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 #include <utility>
 
 #include "course/halfedge/build.h"
@@ -133,6 +134,12 @@ AskAhead::AskAhead(const HalfEdgeTable& he, std::vector<int> starts) {
         Client::current()->ask_ahead(he, std::move(starts));
 }
 
+std::vector<int> all_half_edges(const HalfEdgeTable& he) {
+    std::vector<int> all(static_cast<std::size_t>(he.size()));
+    std::iota(all.begin(), all.end(), 0);
+    return all;
+}
+
 AskAhead::~AskAhead() {
     if (Client::current() != nullptr) Client::current()->stop_asking_ahead();
 }
@@ -185,13 +192,62 @@ std::vector<Fixture> generated_fixtures() {
     return all;
 }
 
-const Fixture& a_million_half_edges() {
-    if (Client::current() != nullptr) Client::current()->limit_cpu(1);
-    static const Fixture fixture = [] {
-        const IndexedMesh mesh = grid(500, 500);
-        return renumbered({"a grid of 500 x 500 quads", mesh, build(mesh)});
-    }();
-    return fixture;
+namespace {
+
+LargeMesh copies_of_grid() {
+    constexpr int side = 25, count = 385;
+    const IndexedMesh mesh = grid(side, side);
+    const HalfEdgeTable tile = build(mesh);
+    Copies copies{tile.rows(), mesh.vertex_count(), mesh.faces.size(), count,
+                  seed()};
+    const MixedNumbers half_edges(tile.size(), copies);
+    const MixedNumbers vertices(copies.vertices, copies);
+    const MixedNumbers faces(copies.faces, copies);
+    return {{"a grid of 25 x 25 quads", mesh, tile},
+            copies,
+            table_of(copies),
+            half_edges,
+            vertices,
+            faces};
+}
+
+std::vector<int> renamed(std::vector<int> list, const MixedNumbers& numbers,
+                         int copy) {
+    for (int& number : list) number = numbers(number, copy);
+    return list;
+}
+
+}  // namespace
+
+const LargeMesh& a_million_half_edges() {
+    static const LargeMesh mesh = copies_of_grid();
+    if (Client::current() != nullptr) {
+        Client::current()->limit_cpu(std::chrono::milliseconds(300));
+        Client::current()->send_as(mesh.he, mesh.copies);
+    }
+    return mesh;
+}
+
+std::vector<int> InLargeMesh::half_edges(std::vector<int> of_tile) const {
+    return renamed(std::move(of_tile), mesh->half_edges, copy);
+}
+
+std::vector<int> InLargeMesh::vertices(std::vector<int> of_tile) const {
+    return renamed(std::move(of_tile), mesh->vertices, copy);
+}
+
+std::vector<int> InLargeMesh::faces(std::vector<int> of_tile) const {
+    return renamed(std::move(of_tile), mesh->faces, copy);
+}
+
+std::vector<InLargeMesh> some_of(const LargeMesh& mesh, int n) {
+    std::vector<InLargeMesh> some;
+    some.reserve(static_cast<std::size_t>(n));
+    for (int k = 0; k < n; ++k)
+        some.push_back(
+            {&mesh, k % mesh.tile.he.size(),
+             static_cast<int>(std::int64_t{k} * mesh.copies.count / n)});
+    return some;
 }
 
 }  // namespace course

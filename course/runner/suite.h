@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "course/halfedge/copies.h"
 #include "course/halfedge/half_edge_table.h"
 #include "course/mesh/zoo.h"
 #include "course/runner/catch2.h"
@@ -56,10 +57,38 @@ std::vector<Fixture> all_fixtures();
 /// faces of 3 to 8 sides; the same for the same seed of the run.
 std::vector<Fixture> generated_fixtures();
 
-/// A grid of quads with a million half-edges, built once: for cases where the
-/// cost must not depend on the size of the mesh. Before the first call of a
-/// case; its calls then have one second of CPU time in all.
-const Fixture& a_million_half_edges();
+/// A mesh with a million half-edges: many copies of a grid of quads, apart from
+/// each other. What is expected of it is what is expected of the grid, under
+/// the numbers of the copy.
+struct LargeMesh {
+    Fixture tile;  ///< the grid
+    Copies copies;
+    HalfEdgeTable he;
+    MixedNumbers half_edges, vertices, faces;  ///< of (number in tile, copy)
+};
+
+/// For cases where the cost must not depend on the size of the mesh. Before the
+/// first call of a case; its calls then have 300 ms of CPU time in all.
+/// Made once, in some 10 ms.
+const LargeMesh& a_million_half_edges();
+
+/// A half-edge of a large mesh: number `i` of copy `copy` of the tile.
+struct InLargeMesh {
+    const LargeMesh* mesh;
+    int i;
+    int copy;
+
+    /// Its number in the large mesh.
+    int row() const { return mesh->half_edges(i, copy); }
+
+    /// Numbers of the tile as those of this copy.
+    std::vector<int> half_edges(std::vector<int> of_tile) const;
+    std::vector<int> vertices(std::vector<int> of_tile) const;
+    std::vector<int> faces(std::vector<int> of_tile) const;
+};
+
+/// `n` half-edges all over the mesh, each of the tile in its turn.
+std::vector<InLargeMesh> some_of(const LargeMesh& mesh, int n);
 
 /// While it lives, calls f(he, i) are asked for ahead: those for i in `starts`,
 /// in this order, many in one conversation. For one function, whose arguments
@@ -72,10 +101,13 @@ public:
     AskAhead& operator=(const AskAhead&) = delete;
 };
 
+/// All its half-edges: 0, 1, 2 ...
+std::vector<int> all_half_edges(const HalfEdgeTable& he);
+
 /// How many calls on it a case makes: more than any scan of a million rows can
 /// answer in that time, even one that does not let itself be counted (0.15 to
-/// 0.3 ms for one with vector instructions); a walk has 80 us for each.
-inline constexpr int many_calls = 12'000;
+/// 0.3 ms for one with vector instructions); a walk has 90 us for each.
+inline constexpr int many_calls = 3000;
 
 /// A matcher that normalises both sides and compares.
 template <class List>

@@ -5,6 +5,7 @@
 
 #include <string>
 
+#include "course/halfedge/table_errors.h"
 #include "course/runner/catch2.h"
 
 namespace {

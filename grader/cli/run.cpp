@@ -154,8 +154,7 @@ int run_command(const Options& options) {
     run.submitted = submissions_of(options, run.exercises);
     const Bench bench(options.judging);
     run.only = options.only;
-    run.seed = options.judging.seed;
-    run.repeats = options.judging.repeats;
+    run.judging = {options.judging.seed, options.judging.repeats};
     run.jobs = bench.jobs();
     run.isolation = bench.isolation_text();
     fmt::print(stderr, "Isolation: {}\n", run.isolation);
@@ -165,10 +164,12 @@ int run_command(const Options& options) {
     std::signal(SIGINT, on_interrupt);
     std::signal(SIGTERM, on_interrupt);
     ClassRunResult done;
+    LocalExecutor executor(run.jobs, run.judging,
+                           [&](int lane) { return bench.workplace(lane); });
     {
         const ProgressLine line;
         done = grade_class(
-            run, gradebook, [&](int lane) { return bench.workplace(lane); },
+            run, gradebook, executor,
             [&](const Progress& progress) { line.show(progress); },
             []() -> bool { return interrupted; });
     }

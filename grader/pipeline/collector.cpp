@@ -77,8 +77,11 @@ Way way_to(std::string_view folder, const IngestLimits& limits) {
 
 Collector::Collector(std::string student,
                      const std::vector<std::string>& file_names,
-                     const IngestLimits& limits)
-    : file_names_(file_names), limits_(limits), notes_(most_notes) {
+                     const IngestLimits& limits, Spool& spool)
+    : file_names_(file_names),
+      limits_(limits),
+      spool_(spool),
+      notes_(most_notes) {
     submission_.student = std::move(student);
 }
 
@@ -125,7 +128,7 @@ void Collector::offer(const std::string& path,
                       const std::function<ReadFile()>& read) {
     const std::string name(name_in(path));
     const auto known = found_.find(name);
-    if (known != found_.end() && comes_before(known->second.file.path, path)) {
+    if (known != found_.end() && comes_before(known->second.path, path)) {
         known->second.others.push_back(path);
         return;
     }
@@ -135,26 +138,42 @@ void Collector::offer(const std::string& path,
         return;
     }
     const std::size_t instead =
-        known == found_.end() ? 0 : known->second.file.bytes.size();
-    if (bytes_ - instead + file.bytes->size() > limits_.total_bytes) {
+        known == found_.end() ? 0 : known->second.stored.size;
+    if (has_room(path, file.bytes->size(), instead))
+        keep(found_[name], path, *file.bytes);
+}
+
+/// Whether a file may be taken in the place of so many bytes; false with a
+/// note.
+bool Collector::has_room(const std::string& path, std::size_t size,
+                         std::size_t instead) {
+    if (bytes_ - instead + size > limits_.total_bytes)
         note(
             fmt::format("{}: at most {} bytes of a student are taken in all, "
                         "and this file has {} more: refused",
-                        path, limits_.total_bytes, file.bytes->size()));
-        return;
-    }
-    bytes_ += file.bytes->size() - instead;
-    keep(found_[name], path, std::move(*file.bytes));
+                        path, limits_.total_bytes, size));
+    else if (written_ + size > limits_.written_bytes)
+        note(
+            fmt::format("{}: at most {} bytes of a student are taken in all, "
+                        "with files that others of their name replaced, and "
+                        "this file has {} more: refused",
+                        path, limits_.written_bytes, size));
+    else
+        return true;
+    return false;
 }
 
 void Collector::keep(Candidate& candidate, const std::string& path,
-                     std::string bytes) {
-    if (candidate.file.path == path)
+                     std::string_view bytes) {
+    if (candidate.path == path)
         note(path +
              ": is in the archive more than once: the last of them counts");
-    else if (!candidate.file.path.empty())
-        candidate.others.push_back(candidate.file.path);
-    candidate.file = {std::move(bytes), path};
+    else if (!candidate.path.empty())
+        candidate.others.push_back(candidate.path);
+    bytes_ += bytes.size() - candidate.stored.size;
+    written_ += bytes.size();
+    candidate.path = path;
+    candidate.stored = spool_.keep(bytes);
 }
 
 void Collector::pass_over(const std::string& path) {
@@ -171,17 +190,17 @@ void Collector::pass_over(const std::string& path) {
 void Collector::note_others(const std::string& name, Candidate& candidate) {
     if (candidate.others.empty()) return;
     note(fmt::format("{} is there {} times: {} was taken, ignored: {}", name,
-                     candidate.others.size() + 1, candidate.file.path,
+                     candidate.others.size() + 1, candidate.path,
                      names(candidate.others)));
 }
 
 Submission Collector::finish() {
     for (const std::string& name : file_names_) {
+        std::optional<Stored>& file = submission_.files.emplace_back();
         const auto found = found_.find(name);
         if (found == found_.end()) continue;
         note_others(name, found->second);
-        submission_.files[name] = std::move(found->second.file);
-        found_.erase(found);
+        file = found->second.stored;
     }
     if (!unasked_.empty())
         note(fmt::format("ignored, as no exercise asks for them: {}",

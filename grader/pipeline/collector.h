@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -11,6 +12,7 @@
 
 #include "grader/pipeline/folders.h"
 #include "grader/pipeline/ingest.h"
+#include "grader/pipeline/spool.h"
 
 namespace grader {
 
@@ -32,10 +34,11 @@ private:
 
 /// Paths are below the student's folder: "week1/face_sides.cpp". What is in an
 /// archive lies in a folder of its name: "homework.zip/week1/face_sides.cpp".
+/// The bytes of files go to the spool at once.
 class Collector {
 public:
     Collector(std::string student, const std::vector<std::string>& file_names,
-              const IngestLimits& limits);
+              const IngestLimits& limits, Spool& spool);
 
     void note(std::string text) { notes_.add(std::move(text)); }
 
@@ -65,15 +68,20 @@ public:
 
 private:
     struct Candidate {
-        SubmittedFile file;
+        Stored stored;
+        std::string path;
         std::vector<std::string> others;  ///< paths of the same name
     };
 
-    void keep(Candidate& candidate, const std::string& path, std::string bytes);
+    bool has_room(const std::string& path, std::size_t size,
+                  std::size_t instead);
+    void keep(Candidate& candidate, const std::string& path,
+              std::string_view bytes);
     void note_others(const std::string& name, Candidate& candidate);
 
     const std::vector<std::string>& file_names_;
     const IngestLimits& limits_;
+    Spool& spool_;
     Submission submission_;
     Notes notes_;
     std::map<std::string, Candidate> found_;
@@ -81,7 +89,8 @@ private:
     std::vector<std::string> unasked_;
     std::size_t entries_ = 0;
     int archives_ = 0;
-    std::size_t bytes_ = 0;
+    std::size_t bytes_ = 0;    ///< of the candidates
+    std::size_t written_ = 0;  ///< and of those that were one before
 };
 
 /// Whether a walk goes into that folder of a submission.

@@ -2,16 +2,14 @@
 // run that was cut short goes on where it stopped.
 #pragma once
 
-#include <filesystem>
 #include <functional>
 #include <string>
 #include <vector>
 
 #include "course/runner/exercises.h"
 #include "grader/gradebook/gradebook.h"
-#include "grader/pipeline/assignment.h"
+#include "grader/pipeline/executor.h"
 #include "grader/pipeline/ingest.h"
-#include "grader/pipeline/validate.h"
 
 namespace grader {
 
@@ -19,8 +17,7 @@ struct ClassRun {
     std::vector<course::Exercise> exercises;  ///< those of the assignment
     SubmittedClass submitted;
     std::string only;  ///< id or folder name of one student, or empty
-    std::uint64_t seed = 1;
-    int repeats = 2;  ///< how often each case is judged
+    Judging judging;
     int jobs = 1;
     std::string isolation;  ///< in words
 };
@@ -28,11 +25,13 @@ struct ClassRun {
 struct Progress {
     int done = 0;  ///< of those that have to be judged
     int all = 0;
+    int failed = 0;  ///< of those done: not accepted, without faults
     int faults = 0;
 };
 
 /// What a run did.
 struct ClassRunResult {
+    int run = 0;  ///< its number in the gradebook
     int judged = 0;
     int unchanged = 0;  ///< had their result already
     int faults = 0;
@@ -42,7 +41,7 @@ struct ClassRunResult {
 /// Grades into the gradebook. `stop` is asked between submissions. Throws
 /// GradebookError and SystemError; what was recorded before stays.
 ClassRunResult grade_class(const ClassRun& run, Gradebook& gradebook,
-                           const WorkplaceMaker& make_workplace,
+                           Executor& executor,
                            const std::function<void(const Progress&)>& progress,
                            const std::function<bool()>& stop);
 

@@ -7,7 +7,9 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <map>
 #include <optional>
+#include <set>
 #include <string_view>
 #include <utility>
 
@@ -26,47 +28,138 @@ using course::Descriptor;
 constexpr std::size_t most_notes_on_a_class = 400;
 constexpr unsigned seconds_for_a_class = 1200;  // of CPU
 
-/// The students of a class, by what they have in its folder or archive.
-class ClassCollector {
+/// What is said about the class as a whole.
+class ClassNotes {
 public:
-    ClassCollector(const std::vector<std::string>& file_names,
-                   const IngestLimits& limits)
-        : file_names_(file_names),
-          limits_(limits),
-          notes_(most_notes_on_a_class) {}
-
-    Collector& folder(const std::string& student) {
-        return folders_.try_emplace(student, student, file_names_, limits_)
-            .first->second;
-    }
-
-    /// "anna.zip", the submission of anna.
-    Collector& archive(const std::string& file_name) {
-        return archives_
-            .try_emplace(file_name, std::string(archive_stem(file_name)),
-                         file_names_, limits_)
-            .first->second;
-    }
-
-    void note(std::string text) { notes_.add(std::move(text)); }
+    void add(std::string text) { notes_.add(std::move(text)); }
 
     /// Something else beside the students' folders; noted once.
     void ignore(const std::string& name) {
         if (ignored_.insert(name).second)
-            note(name + ": ignored; expected a folder for each student");
+            add(name + ": ignored; expected a folder for each student");
     }
 
-    SubmittedClass finish() {
+    std::vector<std::string> take() { return notes_.take(); }
+
+private:
+    Notes notes_{most_notes_on_a_class};
+    std::set<std::string> ignored_;
+};
+
+/// What the reading of a whole class works with.
+struct Reading {
+    const std::vector<std::string>& file_names;
+    const IngestLimits& limits;
+    Spool& spool;
+    ClassNotes notes;
+
+    Collector collector_of(const std::string& student) {
+        return {student, file_names, limits, spool};
+    }
+};
+
+/// On an archive of a student who has a folder, too, or another before it.
+std::string not_counted(const std::string& archive, const std::string& counts) {
+    return fmt::format("{}: ignored, as {} is there as well and counts",
+                       archive,
+                       counts.ends_with('/') ? "the folder " + counts : counts);
+}
+
+// ---- a folder of a class
+
+/// By student, what there is of each: "anna/", "anna.tar", "anna.zip". Sorted,
+/// and so the folder is the first.
+using Places = std::map<std::string, std::vector<std::string>>;
+
+Places places_in(int dir, ClassNotes& notes) {
+    Places places;
+    const Listing listing = names_in(dir, static_cast<std::size_t>(-1));
+    for (const std::string& name : listing.names) {
+        const FileKind kind = kind_of(dir, name);
+        if (kind == FileKind::link)
+            notes.add(name +
+                      ": is a symbolic link, and links are never followed: "
+                      "ignored");
+        else if (kind == FileKind::folder && !is_left_behind(name))
+            places[name].push_back(name + "/");
+        else if (kind == FileKind::file && archive_format(name) &&
+                 !is_left_behind(name))
+            places[std::string(archive_stem(name))].push_back(name);
+        else
+            notes.ignore(name);
+    }
+    return places;
+}
+
+void look_at_student(int dir, const std::string& student,
+                     const std::string& place, const IngestLimits& limits,
+                     Collector& to) {
+    if (!place.ends_with('/'))
+        look_at_file(dir, place, place, limits, to);
+    else if (const Descriptor root = open_folder(dir, student))
+        walk_folder(root.get(), limits, to);
+    else
+        to.note(fmt::format("the folder cannot be read ({})",
+                            std::strerror(errno)));
+}
+
+/// One student after the other: no more than one is in memory.
+std::vector<Submission> read_class_folder(int dir, Reading& reading) {
+    std::vector<Submission> all;
+    std::map<std::string, std::string> not_counted_notes;  // by archive
+    for (const auto& [student, places] : places_in(dir, reading.notes)) {
+        Collector collector = reading.collector_of(student);
+        look_at_student(dir, student, places[0], reading.limits, collector);
+        for (std::size_t k = 1; k < places.size(); ++k) {
+            const std::string text = not_counted(places[k], places[0]);
+            collector.note(text);
+            not_counted_notes.emplace(places[k], text);
+        }
+        all.push_back(collector.finish());
+    }
+    for (const auto& [archive, text] : not_counted_notes)
+        reading.notes.add(text);
+    return all;
+}
+
+// ---- an archive of a class
+
+/// The students of a class, by what they have in its archive.
+class ClassCollector {
+public:
+    explicit ClassCollector(Reading& reading) : reading_(reading) {}
+
+    Collector& folder(const std::string& student) {
+        return known_or_new(folders_, student, student);
+    }
+
+    /// "anna.zip", the submission of anna.
+    Collector& archive(const std::string& file_name) {
+        return known_or_new(archives_, file_name,
+                            std::string(archive_stem(file_name)));
+    }
+
+    ClassNotes& notes() { return reading_.notes; }
+
+    std::vector<Submission> finish() {
         for (auto& [file_name, collector] : archives_)
             take_archive(file_name, std::move(collector));
-        SubmittedClass all;
+        std::vector<Submission> all;
         for (auto& [student, collector] : folders_)
-            all.submissions.push_back(collector.finish());
-        all.notes = notes_.take();
+            all.push_back(collector.finish());
         return all;
     }
 
 private:
+    using Collectors = std::map<std::string, Collector>;
+
+    Collector& known_or_new(Collectors& among, const std::string& key,
+                            const std::string& student) {
+        const auto known = among.find(key);
+        if (known != among.end()) return known->second;
+        return among.emplace(key, reading_.collector_of(student)).first->second;
+    }
+
     /// Unless she has a folder, too, or another archive before it.
     void take_archive(const std::string& file_name, Collector&& collector) {
         const std::string student(archive_stem(file_name));
@@ -77,47 +170,18 @@ private:
             return;
         }
         const auto archive = from_.find(student);
-        const std::string text = fmt::format(
-            "{}: ignored, as {} is there as well and counts", file_name,
-            archive == from_.end() ? "the folder " + student + "/"
-                                   : archive->second);
-        note(text);
+        const std::string text =
+            not_counted(file_name, archive == from_.end() ? student + "/"
+                                                          : archive->second);
+        notes().add(text);
         taken->second.note(text);
     }
 
-    const std::vector<std::string>& file_names_;
-    const IngestLimits& limits_;
-    Notes notes_;
-    std::set<std::string> ignored_;
-    std::map<std::string, Collector> folders_;
-    std::map<std::string, Collector> archives_;
+    Reading& reading_;
+    Collectors folders_;
+    Collectors archives_;
     std::map<std::string, std::string> from_;  ///< archive taken of a student
 };
-
-// ---- a folder of a class
-
-void look_at_student(int dir, const std::string& name,
-                     const IngestLimits& limits, ClassCollector& to) {
-    const FileKind kind = kind_of(dir, name);
-    if (kind == FileKind::link) {
-        to.note(name +
-                ": is a symbolic link, and links are never followed: ignored");
-    } else if (kind == FileKind::folder && !is_left_behind(name)) {
-        Collector& student = to.folder(name);
-        if (const Descriptor root = open_folder(dir, name))
-            walk_folder(root.get(), limits, student);
-        else
-            student.note(fmt::format("the folder cannot be read ({})",
-                                     std::strerror(errno)));
-    } else if (kind == FileKind::file && archive_format(name) &&
-               !is_left_behind(name)) {
-        look_at_file(dir, name, name, limits, to.archive(name));
-    } else {
-        to.ignore(name);
-    }
-}
-
-// ---- an archive of a class
 
 /// "anna" and "week1/prev.cpp" of "anna/week1/prev.cpp".
 struct StudentPath {
@@ -133,9 +197,8 @@ StudentPath split(std::string_view path) {
 /// Hands the entries of a class's archive to its students.
 class ClassArchive {
 public:
-    ClassArchive(const std::vector<std::string>& file_names,
-                 const IngestLimits& limits, ClassCollector& to)
-        : names_({}, file_names, limits), limits_(limits), to_(to) {}
+    ClassArchive(Reading& reading, ClassCollector& to)
+        : names_(reading.collector_of({})), limits_(reading.limits), to_(to) {}
 
     /// How much is wanted of the file of that path.
     std::optional<std::size_t> most_bytes(std::string_view path) const {
@@ -157,7 +220,7 @@ public:
         if (entry.kind == ArchiveEntry::Kind::refused)
             take_refused(entry, student, rest);
         else if (is_left_behind(student))
-            to_.ignore(student);
+            to_.notes().ignore(student);
         else if (entry.kind == ArchiveEntry::Kind::folder)
             take_folder(student, rest);
         else if (rest.empty())
@@ -182,7 +245,7 @@ private:
         } else if (is_name && archive_format(student)) {
             to_.archive(student).note(refusal_of(entry, ""));
         } else {
-            to_.note(refusal_of(entry, ""));
+            to_.notes().add(refusal_of(entry, ""));
         }
     }
 
@@ -198,7 +261,7 @@ private:
             open_archive(*entry.bytes, *format, name, limits_,
                          to_.archive(name));
         else
-            to_.ignore(name);
+            to_.notes().ignore(name);
     }
 
     void take_file(const std::string& student, const std::string& path,
@@ -235,16 +298,17 @@ private:
     std::set<std::string> full_;
 };
 
-void read_class_archive(const std::filesystem::path& path, int file,
-                        const std::vector<std::string>& file_names,
-                        const IngestLimits& limits, ClassCollector& to) {
+std::vector<Submission> read_class_archive(const std::filesystem::path& path,
+                                           int file, Reading& reading) {
     const auto format = archive_format(path.filename().string());
     if (!format)
         throw IngestError(fmt::format(
             "{}: is neither a folder nor an archive (.zip, .tar, .tar.gz, "
             ".tgz, .tar.bz2, .tar.xz, .tar.zst)",
             path.string()));
-    ClassArchive archive(file_names, limits, to);
+    const IngestLimits& limits = reading.limits;
+    ClassCollector students(reading);
+    ClassArchive archive(reading, students);
     try {
         read_archive_confined(
             file, *format,
@@ -259,6 +323,7 @@ void read_class_archive(const std::filesystem::path& path, int file,
                         "not at all",
                         path.string(), error.what()));
     }
+    return students.finish();
 }
 
 // ---- either of them
@@ -294,18 +359,19 @@ SubmittedClass find_submissions(const std::filesystem::path& dir,
                                 const IngestLimits& limits) {
     const Descriptor file = open_class(dir);
     const mode_t type = type_of(file.get());
-    ClassCollector students(file_names, limits);
+    auto spool = std::make_unique<Spool>();
+    Reading reading{file_names, limits, *spool, {}};
+    SubmittedClass all;
     if (S_ISDIR(type))
-        for (const std::string& name :
-             names_in(file.get(), static_cast<std::size_t>(-1)).names)
-            look_at_student(file.get(), name, limits, students);
+        all.submissions = read_class_folder(file.get(), reading);
     else if (S_ISREG(type))
-        read_class_archive(dir, file.get(), file_names, limits, students);
+        all.submissions = read_class_archive(dir, file.get(), reading);
     else
         throw IngestError(dir.string() +
                           ": is neither a folder nor a regular file");
-    SubmittedClass all = students.finish();
     sort_by_id(all.submissions);
+    all.notes = reading.notes.take();
+    all.spool = std::move(spool);
     return all;
 }
 

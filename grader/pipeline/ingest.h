@@ -5,10 +5,13 @@
 
 #include <cstddef>
 #include <filesystem>
-#include <map>
+#include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
+
+#include "grader/pipeline/spool.h"
 
 namespace grader {
 
@@ -23,6 +26,10 @@ struct IngestLimits {
     int entries = 2000;  ///< files and folders that are looked at
     std::size_t file_bytes = 4u << 20;
     std::size_t total_bytes = 16u << 20;
+    /// The same, with files whose place another of their name took later. These
+    /// stay on the disk until the end, and an archive can hold a name 20'000
+    /// times; no honest student hands in as much.
+    std::size_t written_bytes = 32u << 20;
     int archives = 10;  ///< that are opened
     /// Of an archive: its own size, and what is inflated of it, which in a tar
     /// includes the files that nobody asks for.
@@ -34,24 +41,26 @@ struct IngestLimits {
     std::size_t class_entries = 200'000;
 };
 
-struct SubmittedFile {
-    std::string bytes;
-    /// Below the student's folder: "week1/face_sides.cpp", and of a file in
-    /// an archive "homework.zip/week1/face_sides.cpp".
-    std::string path;
-};
-
 /// What one student handed in.
 struct Submission {
     std::string student;  ///< name of the folder or archive: any bytes
     std::string id;       ///< safe in file names, unique in the class
-    std::map<std::string, SubmittedFile> files;  ///< by name of the exercise's
+    /// In the order of the names that were asked for; none: not handed in.
+    std::vector<std::optional<Stored>> files;
     std::vector<std::string> notes;  ///< what was ignored or refused, and why
 };
 
 struct SubmittedClass {
     std::vector<Submission> submissions;  ///< ordered by id
     std::vector<std::string> notes;       ///< about the folder of the class
+    std::unique_ptr<const Spool> spool;   ///< has the bytes of all files
+
+    /// The bytes of a submission's file, read from disk; for any number of
+    /// threads at once. Precondition: it was handed in. Throws
+    /// course::SystemError.
+    std::string bytes(const Submission& submission, std::size_t file) const {
+        return spool->read(*submission.files[file]);
+    }
 };
 
 /// Reads the files of those names ("face_sides.cpp", "complete_table.csv")
@@ -68,8 +77,10 @@ struct SubmittedClass {
 /// graded by half: an IngestError.
 ///
 /// Notes hold the students' own file names: escape them before showing.
-/// Precondition: no other thread runs. Throws IngestError, and
-/// course::SystemError when an archive's process cannot be started.
+/// Memory is taken for names and notes, and for the files of one archive at a
+/// time. Preconditions: no other thread runs, and the names differ. Throws
+/// IngestError, and course::SystemError when an archive's process cannot be
+/// started or the files do not fit on the disk.
 SubmittedClass find_submissions(const std::filesystem::path& dir,
                                 const std::vector<std::string>& file_names,
                                 const IngestLimits& limits = {});

@@ -71,7 +71,8 @@ Keys::Keys(const std::vector<course::Exercise>& exercises,
            const std::string& surroundings) {
     const std::string worker =
         course::read_file(course::build_root() / "grader" / "grader_worker");
-    const auto arguments = course::compile_arguments("s", "o", "i");
+    const auto arguments =
+        course::compile_arguments("s", "o", "i", course::Prelude::lean);
     common_ = sha256(course::encode(std::vector<std::string>{
         sha256(worker), sha256(headers()), compiler_version(),
         fmt::format("{}", fmt::join(arguments, " ")), limits_text(),

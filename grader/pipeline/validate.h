@@ -10,6 +10,7 @@
 
 #include "course/runner/exercises.h"
 #include "course/runner/judge_submission.h"
+#include "grader/pipeline/executor.h"
 
 namespace grader {
 
@@ -24,10 +25,6 @@ struct Validation {
     std::vector<std::string> complaints =
         {};  ///< empty when all is as it must be
 };
-
-/// Makes the workplace of a lane.
-using WorkplaceMaker =
-    std::function<std::unique_ptr<course::Workplace>(int lane)>;
 
 struct ValidationRun {
     std::vector<course::Exercise> exercises;

@@ -141,17 +141,29 @@ std::string shell_words(const Arguments& arguments) {
     return line;
 }
 
-/// Compile, link, and hand the result out by descriptor 3.
+course::Prelude prelude_of(const fs::path& source) {
+    return course::prelude_for(course::read_file(source));
+}
+
+/// Compile, link, and hand the result out by descriptor 3. What the compiler
+/// says with the lean prelude does not count when it fails.
 std::string compile_script(const course::Exercise& exercise,
-                           const std::string& work,
-                           const std::string& student) {
-    const auto compile = course::compile_arguments(
-        exercise.file_name(), work + "/s.o", student + "/include");
+                           const std::string& work, const std::string& student,
+                           course::Prelude prelude) {
+    const auto compile = [&](course::Prelude with) {
+        return shell_words(course::compile_arguments(
+            exercise.file_name(), work + "/s.o", student + "/include", with));
+    };
     const auto link = course::link_arguments(
         work + "/s.o", fmt::format("{}/entries/{}.o", student, exercise.name),
         work + "/s.so");
-    return shell_words(compile) + "&& " + shell_words(link) + "&& cat " + work +
-           "/s.so >&3";
+    std::string script = compile(course::Prelude::full);
+    if (prelude == course::Prelude::lean)
+        script = fmt::format(
+            "{} >{}/said 2>&1; s=$?; if [ $s = 1 ]; then {}; else cat {}/said; "
+            "(exit $s); fi",
+            compile(prelude), work, script, work);
+    return script + " && " + shell_words(link) + "&& cat " + work + "/s.so >&3";
 }
 
 /// Compiler, linker and system headers: the same on both sides.
@@ -227,9 +239,10 @@ Arguments compile_under_bubblewrap(const Stage& stage,
     Arguments list = bubblewrap();
     append(list, compiler_mounts(stage));
     append(list, read_only(source, "/src/" + exercise.file_name()));
-    append(list, {"--remount-ro", "/", "--chdir", "/src", "--seccomp", "9",
-                  "--json-status-fd", "8", "--", "/bin/sh", "-c",
-                  compile_script(exercise, "/tmp", "/student")});
+    append(list,
+           {"--remount-ro", "/", "--chdir", "/src", "--seccomp", "9",
+            "--json-status-fd", "8", "--", "/bin/sh", "-c",
+            compile_script(exercise, "/tmp", "/student", prelude_of(source))});
     return list;
 }
 
@@ -281,7 +294,8 @@ Arguments compile_under_landlock(const Stage& stage,
     for (const std::string& folder : toolchain())
         list.push_back("--read=" + folder);
     append(list, {"--", "/bin/sh", "-c",
-                  compile_script(exercise, scratch, stage.student())});
+                  compile_script(exercise, scratch, stage.student(),
+                                 prelude_of(source))});
     return list;
 }
 

@@ -16,6 +16,7 @@ void for_each_half_edge(const std::vector<Fixture>& fixtures, Check check) {
     for (const Fixture& fixture : fixtures) {
         const OnMesh on(fixture);
         const oracle::ByFaces expected(fixture);
+        const AskAhead ahead(fixture.he, all_half_edges(fixture.he));
         for (int i = 0; i < fixture.he.size(); ++i)
             check(fixture.he, i, expected);
     }
@@ -31,22 +32,35 @@ inline bool starts_within(const oracle::ByFaces& mesh, int i) {
     return mesh.place_of_vertex(i) == oracle::Place::interior;
 }
 
-/// The same for half-edges of a large mesh: those `where` it says so, out of
-/// `calls`. Each check is one call, which may read `reads` half-edges.
+/// Calls check(he, at) for these half-edges of a large mesh. Each check is one
+/// call f(he, at.row()), which may read `reads` half-edges.
+template <class Check>
+void for_each_asked(const LargeMesh& large,
+                    const std::vector<InLargeMesh>& asked, std::int64_t reads,
+                    Check check) {
+    std::vector<int> rows;
+    for (const InLargeMesh& at : asked) rows.push_back(at.row());
+    const AskAhead ahead(large.he, rows);
+    for (const InLargeMesh& at : asked) {
+        const ReadBudget budget(large.he, reads);
+        check(large.he, at);
+    }
+}
+
+/// The same for those of `calls` half-edges of it where `where` says so, with
+/// the answers that are expected of its tile.
 template <class Where, class Check>
 void for_some_of_a_million(int calls, std::int64_t reads, Where where,
                            Check check) {
-    const Fixture& large = a_million_half_edges();
-    std::vector<int> asked;
-    for (int k = 0; k < calls; ++k)
-        asked.push_back(k * (large.he.size() / calls));
-    const oracle::ByFaces expected(large, asked);
-    std::erase_if(asked, [&](int i) { return !where(expected, i); });
-    const AskAhead ahead(large.he, asked);
-    for (const int i : asked) {
-        const ReadBudget budget(large.he, reads);
-        check(large.he, i, expected);
-    }
+    const LargeMesh& large = a_million_half_edges();
+    const oracle::ByFaces expected(large.tile);
+    std::vector<InLargeMesh> asked = some_of(large, calls);
+    std::erase_if(
+        asked, [&](const InLargeMesh& at) { return !where(expected, at.i); });
+    for_each_asked(large, asked, reads,
+                   [&](const HalfEdgeTable& he, const InLargeMesh& at) {
+                       check(he, at, expected);
+                   });
 }
 
 }  // namespace course::hidden

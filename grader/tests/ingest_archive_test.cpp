@@ -37,18 +37,14 @@ void unpack(ClassOnDisk& to, const std::string& folder,
         if (entry.type == AE_IFREG) to.file(folder + entry.path, entry.bytes);
 }
 
-void check_same(const SubmittedClass& a, const SubmittedClass& b) {
+void check_same(const ClassHandedIn& a, const ClassHandedIn& b) {
     REQUIRE(a.submissions.size() == b.submissions.size());
     for (std::size_t k = 0; k < a.submissions.size(); ++k) {
-        const Submission &x = a.submissions[k], &y = b.submissions[k];
+        const HandedIn &x = a.submissions[k], &y = b.submissions[k];
         CHECK(x.student == y.student);
         CHECK(x.id == y.id);
         CHECK(joined(x.notes) == joined(y.notes));
-        REQUIRE(x.files.size() == y.files.size());
-        for (const auto& [name, file] : x.files) {
-            CHECK(file.bytes == y.files.at(name).bytes);
-            CHECK(file.path == y.files.at(name).path);
-        }
+        CHECK(x.files == y.files);
     }
     CHECK(joined(a.notes) == joined(b.notes));
 }
@@ -63,9 +59,8 @@ TEST_CASE("an archive in a student's folder counts as a folder of its name") {
         all.file("anna/" + name, packed(kind.maker, homework));
         unpack(same, "anna/" + name + "/", homework);
         check_same(all.find(), same.find());
-        CHECK(all.only().files.at("face_sides.cpp").path ==
-              name + "/week1/face_sides.cpp");
-        CHECK(all.only().files.at("prev.cpp").bytes == "three");
+        CHECK(all.only().files.at("face_sides.cpp") == "one");
+        CHECK(all.only().files.at("prev.cpp") == "three");
         CHECK(joined(all.only().notes) ==
               name +
                   "/week1/a/b/: lies more than 3 folders deep: not looked at\n"
@@ -97,11 +92,11 @@ TEST_CASE("an archive of a class is as if it were unpacked") {
         all.file(name, packed(kind.maker, entries));
         std::filesystem::create_directories(same.at("bruno"));
         unpack(same, "", entries);
-        SubmittedClass folder = same.find(), archive = all.find(name);
+        ClassHandedIn folder = same.find(), archive = all.find(name);
         std::sort(archive.notes.begin(), archive.notes.end());
         check_same(archive, folder);
         CHECK(archive.submissions.size() == 4);
-        CHECK(archive.submissions[0].files.at("prev.cpp").bytes == "b");
+        CHECK(archive.submissions[0].files.at("prev.cpp") == "b");
     }
 }
 
@@ -111,13 +106,11 @@ TEST_CASE("students' archives in the archive of a class are opened") {
              packed(zip, {{"anna/homework.tar.gz", packed(tar_gz, homework)},
                           {"bruno.zip", packed(zip, homework)},
                           {"carla/x.zip", "broken"}}));
-    const SubmittedClass found = all.find("class.zip");
+    const ClassHandedIn found = all.find("class.zip");
     REQUIRE(found.submissions.size() == 3);
-    CHECK(found.submissions[0].files.at("prev.cpp").path ==
-          "homework.tar.gz/prev.cpp");
+    CHECK(found.submissions[0].files.at("prev.cpp") == "three");
     CHECK(found.submissions[1].student == "bruno");
-    CHECK(found.submissions[1].files.at("face_sides.cpp").path ==
-          "bruno.zip/week1/face_sides.cpp");
+    CHECK(found.submissions[1].files.at("face_sides.cpp") == "one");
     CHECK_THAT(joined(found.submissions[2].notes),
                Containing("x.zip: it is no zip file or cut short"));
 }
@@ -134,11 +127,10 @@ TEST_CASE("an archive in a student's archive is not opened") {
 TEST_CASE("an archive beside the folders is the submission of its student") {
     ClassOnDisk all;
     all.file("anna.zip", packed(zip, homework)).file("bruno/prev.cpp");
-    const SubmittedClass found = all.find();
+    const ClassHandedIn found = all.find();
     REQUIRE(found.submissions.size() == 2);
     CHECK(found.submissions[0].student == "anna");
-    CHECK(found.submissions[0].files.at("prev.cpp").path ==
-          "anna.zip/prev.cpp");
+    CHECK(found.submissions[0].files.at("prev.cpp") == "three");
     CHECK(found.notes.empty());
 }
 
@@ -147,19 +139,34 @@ TEST_CASE("of a folder and archives of one student the folder counts") {
         "anna.tar: ignored, as the folder anna/ is there as well and counts\n"
         "anna.zip: ignored, as the folder anna/ is there as well and counts\n";
     ClassOnDisk all;
-    all.file("anna.zip", packed(zip, homework))
+    all.file("anna.zip", packed(zip, {{"prev.cpp", "in the zip"}}))
         .file("anna.tar", packed(tar, homework))
         .file("anna/prev.cpp", "mine");
     CHECK(all.only().files.size() == 1);
-    CHECK(all.only().files.at("prev.cpp").bytes == "mine");
+    CHECK(all.only().files.at("prev.cpp") == "mine");
     CHECK(joined(all.only().notes) == text);
     CHECK(joined(all.find().notes) == text);
     std::filesystem::remove_all(all.at("anna"));
-    CHECK(all.only().files.at("prev.cpp").path == "anna.tar/prev.cpp");
+    CHECK(all.only().files.at("prev.cpp") == "three");
     CHECK(joined(all.only().notes) ==
           "anna.tar/week1/a/b/: lies more than 3 folders deep: not looked at\n"
           "anna.zip: ignored, as anna.tar is there as well and counts\n"
           "ignored, as no exercise asks for them: anna.tar/week1/notes.txt\n");
+}
+
+TEST_CASE("notes on archives that do not count are in the archives' order") {
+    ClassOnDisk all;
+    all.file("anna.tar", packed(tar, homework))
+        .file("anna/prev.cpp")
+        .file("anna-b.zip", packed(zip, homework))
+        .file("anna-b/prev.cpp")
+        .file("zoe");
+    CHECK(joined(all.find().notes) ==
+          "zoe: ignored; expected a folder for each student\n"
+          "anna-b.zip: ignored, as the folder anna-b/ is there as well and "
+          "counts\n"
+          "anna.tar: ignored, as the folder anna/ is there as well and "
+          "counts\n");
 }
 
 TEST_CASE("of a file in a folder and one in an archive the less deep counts") {
@@ -168,9 +175,9 @@ TEST_CASE("of a file in a folder and one in an archive the less deep counts") {
                                         {"x/face_sides.cpp", "deep"}}))
         .file("anna/b/face_sides.cpp", "folder")
         .file("anna/b/prev.cpp", "folder");
-    const Submission anna = all.only();
-    CHECK(anna.files.at("prev.cpp").path == "a.zip/prev.cpp");
-    CHECK(anna.files.at("face_sides.cpp").path == "b/face_sides.cpp");
+    const HandedIn anna = all.only();
+    CHECK(anna.files.at("prev.cpp") == "in the archive");
+    CHECK(anna.files.at("face_sides.cpp") == "folder");
     CHECK(joined(anna.notes) ==
           "face_sides.cpp is there 2 times: b/face_sides.cpp was taken, "
           "ignored: a.zip/x/face_sides.cpp\n"
@@ -212,7 +219,7 @@ TEST_CASE("composed and decomposed names stay two in a pax header") {
                  tar_part({"short"});
     ClassOnDisk all;
     all.file("class.tar", bytes + std::string(1024, '\0'));
-    const SubmittedClass found = all.find("class.tar");
+    const ClassHandedIn found = all.find("class.tar");
     std::setlocale(LC_ALL, before.c_str());
     REQUIRE(found.submissions.size() == 2);
     CHECK(found.submissions[0].student != found.submissions[1].student);
@@ -224,14 +231,14 @@ TEST_CASE("what tar writes for a folder in which it runs is understood") {
                                            {"./prev.cpp", "here"},
                                            {"./w/face_sides.cpp"}}));
     CHECK(all.only().files.size() == 2);
-    CHECK(all.only().files.at("prev.cpp").path == "a.tgz/prev.cpp");
+    CHECK(all.only().files.at("prev.cpp") == "here");
     CHECK(all.only().notes.empty());
 }
 
 TEST_CASE("a zip may have something before it, as one that unpacks itself") {
     ClassOnDisk all;
     all.file("anna/a.zip", "MZ and a program" + zip_of({{"prev.cpp", "mine"}}));
-    CHECK(all.only().files.at("prev.cpp").bytes == "mine");
+    CHECK(all.only().files.at("prev.cpp") == "mine");
 }
 
 TEST_CASE("a stored entry ends where the zip's directory says") {
@@ -239,8 +246,8 @@ TEST_CASE("a stored entry ends where the zip's directory says") {
     part.flags = 8;  // its size follows it, in a record that begins so
     ClassOnDisk all;
     all.file("anna/a.zip", zip_of({part, {"face_sides.cpp", "other"}}));
-    CHECK(all.only().files.at("prev.cpp").bytes == part.bytes);
-    CHECK(all.only().files.at("face_sides.cpp").bytes == "other");
+    CHECK(all.only().files.at("prev.cpp") == part.bytes);
+    CHECK(all.only().files.at("face_sides.cpp") == "other");
 }
 
 TEST_CASE("of one path twice in an archive the last counts, with a note") {
@@ -250,7 +257,7 @@ TEST_CASE("of one path twice in an archive the last counts, with a note") {
         ClassOnDisk all;
         all.file(std::string("anna/") + name,
                  packed(name == std::string("a.zip") ? zip : tar, twice));
-        CHECK(all.only().files.at("prev.cpp").bytes == "new");
+        CHECK(all.only().files.at("prev.cpp") == "new");
         CHECK(joined(all.only().notes) ==
               std::string(name) +
                   "/prev.cpp: is in the archive more than once: the last of "
@@ -262,8 +269,8 @@ TEST_CASE("a path that is a file and a folder at once is both") {
     ClassOnDisk all;
     all.file("anna/a.zip", packed(zip, {{"prev.cpp", "file"},
                                         {"prev.cpp/face_sides.cpp", "in"}}));
-    CHECK(all.only().files.at("prev.cpp").bytes == "file");
-    CHECK(all.only().files.at("face_sides.cpp").bytes == "in");
+    CHECK(all.only().files.at("prev.cpp") == "file");
+    CHECK(all.only().files.at("face_sides.cpp") == "in");
 }
 
 TEST_CASE("a zip64 archive with honest numbers is read") {
@@ -278,7 +285,7 @@ TEST_CASE("a zip64 archive with honest numbers is read") {
     ClassOnDisk all;
     all.file("anna/a.zip", body.bytes + zip_end(body.end));
     CHECK(joined(all.only().notes).empty());
-    CHECK(all.only().files.at("prev.cpp").bytes == "mine");
+    CHECK(all.only().files.at("prev.cpp") == "mine");
 }
 
 TEST_CASE(
@@ -286,11 +293,12 @@ TEST_CASE(
     ClassOnDisk all;
     all.file("anna/answer.zip", packed(zip, homework))
         .file("anna/._homework.zip", "Mac OS X");
-    const SubmittedClass found =
-        find_submissions(all.at("."), {"answer.zip", "prev.cpp"});
+    const std::vector<std::string> names = {"answer.zip", "prev.cpp"};
+    const ClassHandedIn found =
+        with_bytes(find_submissions(all.at("."), names), names);
     REQUIRE(found.submissions.size() == 1);
     CHECK(found.submissions[0].files.size() == 1);
-    CHECK(found.submissions[0].files.at("answer.zip").path == "answer.zip");
+    CHECK(found.submissions[0].files.at("answer.zip") == packed(zip, homework));
     CHECK(joined(found.submissions[0].notes) ==
           "ignored, as no exercise asks for them: ._homework.zip\n");
 }
@@ -302,12 +310,12 @@ TEST_CASE("a class of 5000 students in one archive") {
             {"student " + std::to_string(k) + "/prev.cpp", std::to_string(k)});
     ClassOnDisk all;
     all.file("class.tar.gz", writer.finish());
-    const SubmittedClass found = all.find("class.tar.gz");
+    const ClassHandedIn found = all.find("class.tar.gz");
     REQUIRE(found.submissions.size() == 5000);
     std::set<std::string> ids;
-    for (const Submission& one : found.submissions) {
+    for (const HandedIn& one : found.submissions) {
         ids.insert(one.id);
-        CHECK("student " + one.files.at("prev.cpp").bytes == one.student);
+        CHECK("student " + one.files.at("prev.cpp") == one.student);
     }
     CHECK(ids.size() == 5000);
 }

@@ -1,83 +1,70 @@
 // What is taken from the students' folders, and what is refused.
+#include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/sysmacros.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <chrono>
 
-#include "course/runner/temporary_folder.h"
-#include "grader/pipeline/ingest.h"
-#include "grader/tests/golden.h"
+#include "grader/tests/archive_maker.h"
+#include "grader/tests/class_on_disk.h"
 
 using namespace grader;
 using namespace grader::tests;
 
 namespace {
 
-const std::vector<std::string> wanted = {
-    "boundary_walk.cpp", "complete_table.csv", "face_sides.cpp", "prev.cpp"};
+/// In MiB.
+long peak_of_memory() {
+    rusage usage{};
+    ::getrusage(RUSAGE_SELF, &usage);
+    return usage.ru_maxrss / 1024;
+}
 
-/// A folder of a class, filled by hand.
-class Class {
-public:
-    Class& file(const std::string& path, const std::string& bytes = "int x;") {
-        const auto full = folder_ / path;
-        std::filesystem::create_directories(full.parent_path());
-        std::ofstream(full, std::ios::binary) << bytes;
-        return *this;
-    }
-    Class& link(const std::string& path, const std::filesystem::path& to) {
-        const auto full = folder_ / path;
-        std::filesystem::create_directories(full.parent_path());
-        std::filesystem::create_symlink(to, full);
-        return *this;
-    }
-    Class& empty(const std::string& path) {
-        std::filesystem::create_directories(folder_ / path);
-        return *this;
-    }
-    std::filesystem::path at(const std::string& path) const {
-        return folder_ / path;
-    }
-    SubmittedClass find(const IngestLimits& limits = {}) const {
-        return find_submissions(folder_.path(), wanted, limits);
-    }
-    /// The submission of the only student.
-    Submission only(const IngestLimits& limits = {}) const {
-        SubmittedClass all = find(limits);
-        REQUIRE(all.submissions.size() == 1);
-        return all.submissions[0];
-    }
+/// By how many MiB the peak grows where a class is found.
+long growth_by(const std::filesystem::path& students) {
+    const long before = peak_of_memory();
+    const SubmittedClass all = find_submissions(students, asked_for);
+    return peak_of_memory() - before;
+}
 
-private:
-    course::TemporaryFolder folder_;
-};
-
-std::string joined(const std::vector<std::string>& notes) {
-    std::string text;
-    for (const std::string& note : notes) text += note + "\n";
-    return text;
+/// The same in a process of its own, as a peak is not forgotten.
+int memory_for(const std::filesystem::path& students) {
+    const pid_t child = ::fork();
+    if (child == 0) {
+        constexpr long most = 255;  // that an exit code can say; and a failure
+        try {
+            ::_exit(static_cast<int>(std::min(growth_by(students), most)));
+        } catch (...) {
+            ::_exit(most);
+        }
+    }
+    int status = 0;
+    REQUIRE(::waitpid(child, &status, 0) == child);
+    REQUIRE(WIFEXITED(status));
+    return WEXITSTATUS(status);
 }
 
 }  // namespace
 
 TEST_CASE("files are found by name in at most three folders") {
-    Class all;
+    ClassOnDisk all;
     all.file("anna/face_sides.cpp", "one")
         .file("anna/a/prev.cpp", "two")
         .file("anna/a/b/c/boundary_walk.cpp", "three")
         .file("anna/a/b/c/d/complete_table.csv", "too deep");
-    const Submission anna = all.only();
+    const HandedIn anna = all.only();
     REQUIRE(anna.files.size() == 3);
-    CHECK(anna.files.at("face_sides.cpp").bytes == "one");
-    CHECK(anna.files.at("prev.cpp").path == "a/prev.cpp");
-    CHECK(anna.files.at("boundary_walk.cpp").bytes == "three");
+    CHECK(anna.files.at("face_sides.cpp") == "one");
+    CHECK(anna.files.at("prev.cpp") == "two");
+    CHECK(anna.files.at("boundary_walk.cpp") == "three");
     CHECK(joined(anna.notes) ==
           "a/b/c/d/: lies more than 3 folders deep: not looked at\n");
 }
 
 TEST_CASE("an empty folder is a submission without files") {
-    Class all;
+    ClassOnDisk all;
     all.empty("carla");
     CHECK(all.only().files.empty());
     CHECK(all.only().notes.empty());
@@ -86,23 +73,23 @@ TEST_CASE("an empty folder is a submission without files") {
 
 TEST_CASE("bytes are taken as they are") {
     const std::string bytes("\xff\0\r\n\x1b<b>", 8);
-    Class all;
+    ClassOnDisk all;
     all.file("anna/prev.cpp", bytes).file("anna/face_sides.cpp", "");
-    CHECK(all.only().files.at("prev.cpp").bytes == bytes);
-    CHECK(all.only().files.at("face_sides.cpp").bytes.empty());
+    CHECK(all.only().files.at("prev.cpp") == bytes);
+    CHECK(all.only().files.at("face_sides.cpp").empty());
 }
 
 TEST_CASE("of two files of a name the least deep is taken, then the first") {
-    Class all;
+    ClassOnDisk all;
     all.file("anna/b/prev.cpp", "b")
         .file("anna/a/prev.cpp", "a")
         .file("anna/c/prev.cpp", "c")
         .file("anna/d/prev.cpp", "d")
         .file("anna/a/old/face_sides.cpp", "old")
         .file("anna/z/face_sides.cpp", "new");
-    const Submission anna = all.only();
-    CHECK(anna.files.at("prev.cpp").bytes == "a");
-    CHECK(anna.files.at("face_sides.cpp").bytes == "new");
+    const HandedIn anna = all.only();
+    CHECK(anna.files.at("prev.cpp") == "a");
+    CHECK(anna.files.at("face_sides.cpp") == "new");
     CHECK(joined(anna.notes) ==
           "face_sides.cpp is there 2 times: z/face_sides.cpp was taken, "
           "ignored: a/old/face_sides.cpp\n"
@@ -118,7 +105,7 @@ TEST_CASE("names that are nearly right are not taken, but asked about") {
           "facesides.cpp", "face_sides.cc", "face_sides.CPP", "face_sides",
           "face_side.cpp", "Face_Sides(12).cpp"}) {
         CAPTURE(name);
-        Class all;
+        ClassOnDisk all;
         all.file("anna/week 1/" + std::string(name));
         CHECK(all.only().files.empty());
         CHECK(joined(all.only().notes) ==
@@ -129,30 +116,30 @@ TEST_CASE("names that are nearly right are not taken, but asked about") {
 }
 
 TEST_CASE("other files are named, and no question is asked about them") {
-    Class all;
-    all.file("anna/prev.cpp")
+    ClassOnDisk all;
+    all.file("anna/prev.cpp", "mine")
         .file("anna/face_sides.h")
         .file("anna/Makefile")
         .file("anna/next.cpp")
         .file("anna/face_sides_test.cpp")
         .file("anna/.git/config")
         .file("anna/__MACOSX/prev.cpp", "not this one");
-    const Submission anna = all.only();
+    const HandedIn anna = all.only();
     CHECK(anna.files.size() == 1);
-    CHECK(anna.files.at("prev.cpp").path == "prev.cpp");
+    CHECK(anna.files.at("prev.cpp") == "mine");
     CHECK(joined(anna.notes) ==
           "ignored, as no exercise asks for them: .git/, Makefile, "
           "__MACOSX/, face_sides.h, face_sides_test.cpp, next.cpp\n");
 }
 
 TEST_CASE("links are never followed") {
-    Class all, secret;
+    ClassOnDisk all, secret;
     secret.file("s/prev.cpp", "secret");
     all.link("anna/prev.cpp", secret.at("s/prev.cpp"))
         .link("anna/face_sides.cpp", "prev.cpp")
         .link("anna/folder", secret.at("s"))
         .link("anna/loop", ".");
-    const Submission anna = all.only();
+    const HandedIn anna = all.only();
     CHECK(anna.files.empty());
     CHECK(anna.notes.size() == 4);
     for (const std::string& note : anna.notes)
@@ -160,10 +147,10 @@ TEST_CASE("links are never followed") {
 }
 
 TEST_CASE("a student's folder that is a link is no submission") {
-    Class all, secret;
+    ClassOnDisk all, secret;
     secret.file("s/prev.cpp", "secret");
     all.link("mallory", secret.at("s")).file("anna/prev.cpp");
-    const SubmittedClass found = all.find();
+    const ClassHandedIn found = all.find();
     REQUIRE(found.submissions.size() == 1);
     CHECK(found.submissions[0].student == "anna");
     CHECK_THAT(joined(found.notes),
@@ -172,7 +159,7 @@ TEST_CASE("a student's folder that is a link is no submission") {
 }
 
 TEST_CASE("FIFOs, sockets and devices neither hang nor are taken") {
-    Class all;
+    ClassOnDisk all;
     all.empty("anna/sub");
     REQUIRE(mkfifo(all.at("anna/prev.cpp").c_str(), 0666) == 0);
     REQUIRE(mkfifo(all.at("anna/sub/pipe").c_str(), 0666) == 0);
@@ -180,7 +167,7 @@ TEST_CASE("FIFOs, sockets and devices neither hang nor are taken") {
         REQUIRE(mknod(all.at("anna/face_sides.cpp").c_str(), S_IFCHR | 0666,
                       makedev(1, 5)) == 0);
     const auto start = std::chrono::steady_clock::now();
-    const Submission anna = all.only();
+    const HandedIn anna = all.only();
     CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(1));
     CHECK(anna.files.empty());
     CHECK_THAT(joined(anna.notes),
@@ -190,75 +177,90 @@ TEST_CASE("FIFOs, sockets and devices neither hang nor are taken") {
 }
 
 TEST_CASE("a folder with the name of a file is no file") {
-    Class all;
+    ClassOnDisk all;
     all.file("anna/prev.cpp/prev.cpp", "inside");
-    CHECK(all.only().files.at("prev.cpp").bytes == "inside");
+    CHECK(all.only().files.at("prev.cpp") == "inside");
 }
 
 TEST_CASE("a file of exactly the limit is taken, one byte more is refused") {
-    Class all;
+    ClassOnDisk all;
     IngestLimits limits;
     limits.file_bytes = 100;
     all.file("anna/prev.cpp", std::string(100, 'x'))
         .file("anna/face_sides.cpp", std::string(101, 'x'));
-    const Submission anna = all.only(limits);
-    CHECK(anna.files.at("prev.cpp").bytes.size() == 100);
+    const HandedIn anna = all.only(limits);
+    CHECK(anna.files.at("prev.cpp").size() == 100);
     CHECK(anna.files.count("face_sides.cpp") == 0);
     CHECK(joined(anna.notes) ==
           "face_sides.cpp: has 101 bytes; at most 100 are taken: refused\n");
 }
 
 TEST_CASE("a sparse file of a terabyte is refused at once") {
-    Class all;
+    ClassOnDisk all;
     all.file("anna/prev.cpp");
     REQUIRE(truncate(all.at("anna/prev.cpp").c_str(), off_t{1} << 40) == 0);
     CHECK_THAT(joined(all.only().notes), Containing("has 1099511627776 bytes"));
 }
 
 TEST_CASE("the bytes of a student are limited in all") {
-    Class all;
+    ClassOnDisk all;
     IngestLimits limits;
     limits.total_bytes = 150;
     all.file("anna/boundary_walk.cpp", std::string(100, 'x'))
         .file("anna/face_sides.cpp", std::string(100, 'x'))
         .file("anna/prev.cpp", std::string(50, 'x'));
-    const Submission anna = all.only(limits);
+    const HandedIn anna = all.only(limits);
     CHECK(anna.files.size() == 2);
     CHECK_THAT(joined(anna.notes),
                Containing("face_sides.cpp: at most 150 bytes of a student"));
 }
 
+TEST_CASE("the files of a class are on disk, and not in memory") {
+    constexpr std::size_t four_mib = 4u << 20;
+    ClassOnDisk all;
+    ArchiveWriter writer(tar_gz);
+    for (int k = 0; k < 40; ++k) {
+        const std::string file = std::to_string(k) + "/prev.cpp";
+        all.file("class/" + file, "");
+        std::filesystem::resize_file(all.at("class/" + file), four_mib);
+        writer.add_zeros({file, ""}, four_mib);
+    }
+    all.file("class.tgz", writer.finish());
+    CHECK(memory_for(all.at("class")) < 40);
+    CHECK(memory_for(all.at("class.tgz")) < 40);
+}
+
 TEST_CASE("when the first file of a name is refused the next one is taken") {
-    Class all;
+    ClassOnDisk all;
     IngestLimits limits;
     limits.file_bytes = 10;
     all.file("anna/prev.cpp", "much too long").file("anna/a/prev.cpp", "good");
-    CHECK(all.only(limits).files.at("prev.cpp").bytes == "good");
+    CHECK(all.only(limits).files.at("prev.cpp") == "good");
 }
 
 TEST_CASE("a folder with too many files is left out, what lies above stays") {
-    Class all;
+    ClassOnDisk all;
     all.file("anna/prev.cpp", "mine").file("anna/a/face_sides.cpp", "too");
     for (int k = 0; k < 2000; ++k) all.file("anna/b/" + std::to_string(k), "");
-    const Submission anna = all.only();
+    const HandedIn anna = all.only();
     CHECK(anna.files.size() == 2);
     CHECK_THAT(joined(anna.notes),
                Containing("b/ has more than are left: it and what follows"));
 }
 
 TEST_CASE("a flood of refusals gives a few notes") {
-    Class all;
+    ClassOnDisk all;
     for (int k = 0; k < 500; ++k)
         all.link("anna/" + std::to_string(k), "nowhere");
-    const Submission anna = all.only();
+    const HandedIn anna = all.only();
     REQUIRE(anna.notes.size() == 41);
     CHECK(anna.notes.back() == "and 460 more notes");
 }
 
 TEST_CASE("files beside the students' folders are noted") {
-    Class all;
+    ClassOnDisk all;
     all.file("prev.cpp").file("anna/prev.cpp").file(".DS_Store").empty(".git");
-    const SubmittedClass found = all.find();
+    const ClassHandedIn found = all.find();
     CHECK(found.submissions.size() == 1);
     CHECK(joined(found.notes) ==
           ".DS_Store: ignored; expected a folder for each student\n"
@@ -267,7 +269,7 @@ TEST_CASE("files beside the students' folders are noted") {
 }
 
 TEST_CASE("names that are anything but names are data") {
-    Class all;
+    ClassOnDisk all;
     const std::vector<std::string> names = {"-rf",
                                             "=cmd()",
                                             "a\nb",
@@ -282,11 +284,11 @@ TEST_CASE("names that are anything but names are data") {
                                             std::string(255, 'n'),
                                             " "};
     for (const std::string& name : names) all.file(name + "/prev.cpp", name);
-    const SubmittedClass found = all.find();
+    const ClassHandedIn found = all.find();
     CHECK(found.submissions.size() == names.size());
     std::string before;
-    for (const Submission& one : found.submissions) {
-        CHECK(one.files.at("prev.cpp").bytes == one.student);
+    for (const HandedIn& one : found.submissions) {
+        CHECK(one.files.at("prev.cpp") == one.student);
         CHECK(one.id.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghij"
                                        "klmnopqrstuvwxyz0123456789._-") ==
               one.id.npos);
@@ -296,13 +298,13 @@ TEST_CASE("names that are anything but names are data") {
 }
 
 TEST_CASE("a class that is not there or cannot be read is an error") {
-    Class all;
+    ClassOnDisk all;
     all.file("anna/prev.cpp");
-    CHECK_THROWS_AS(find_submissions(all.at("none"), wanted), IngestError);
-    CHECK_THROWS_AS(find_submissions(all.at("anna/prev.cpp"), wanted),
+    CHECK_THROWS_AS(find_submissions(all.at("none"), asked_for), IngestError);
+    CHECK_THROWS_AS(find_submissions(all.at("anna/prev.cpp"), asked_for),
                     IngestError);
     try {
-        find_submissions(all.at("none"), wanted);
+        find_submissions(all.at("none"), asked_for);
     } catch (const IngestError& error) {
         CHECK_THAT(error.what(),
                    Containing("none: cannot be read (No such file or "
@@ -312,7 +314,7 @@ TEST_CASE("a class that is not there or cannot be read is an error") {
 }
 
 TEST_CASE("what may not be read is noted, and the others are read") {
-    Class all;
+    ClassOnDisk all;
     all.file("anna/prev.cpp").file("bruno/prev.cpp").file("carla/prev.cpp");
     using std::filesystem::perms;
     std::filesystem::permissions(all.at("."), perms(0755));
@@ -320,7 +322,7 @@ TEST_CASE("what may not be read is noted, and the others are read") {
     std::filesystem::permissions(all.at("bruno/prev.cpp"), perms(0));
     const uid_t was = geteuid();
     if (was == 0) REQUIRE(seteuid(65534) == 0);
-    const SubmittedClass found = all.find();
+    const ClassHandedIn found = all.find();
     if (was == 0) REQUIRE(seteuid(was) == 0);
     std::filesystem::permissions(all.at("anna"), perms(0755));
     REQUIRE(found.submissions.size() == 3);

@@ -19,13 +19,13 @@ void check_in_a_folder(const HostileArchive& one) {
     all.file("anna/" + one.name, one.bytes).file("anna/prev.cpp", "honest");
     all.file("bruno/face_sides.cpp", "honest");
     const std::set<std::string> before = all.contents();
-    const SubmittedClass found = all.find();
+    const ClassHandedIn found = all.find();
     CHECK(all.contents() == before);
     REQUIRE(found.submissions.size() == 2);
-    const Submission& anna = found.submissions[0];
+    const HandedIn& anna = found.submissions[0];
     REQUIRE(anna.files.size() == 1);
-    CHECK(anna.files.at("prev.cpp").bytes == "honest");
-    CHECK(found.submissions[1].files.at("face_sides.cpp").bytes == "honest");
+    CHECK(anna.files.at("prev.cpp") == "honest");
+    CHECK(found.submissions[1].files.at("face_sides.cpp") == "honest");
     INFO(joined(anna.notes));
     CHECK(joined(anna.notes).find(one.note) != std::string::npos);
     CHECK(found.notes.empty());
@@ -49,7 +49,7 @@ TEST_CASE("a hostile archive beside the folders is its student's loss only") {
         CAPTURE(one.what);
         ClassOnDisk all;
         all.file(one.name, one.bytes).file("bruno/face_sides.cpp", "honest");
-        const SubmittedClass found = all.find();
+        const ClassHandedIn found = all.find();
         REQUIRE(found.submissions.size() == 2);
         CHECK(found.submissions[0].student == "a");
         CHECK(found.submissions[0].files.empty());
@@ -65,7 +65,7 @@ TEST_CASE("a hostile archive of a class is an error or harmless") {
         all.file(one.name, one.bytes);
         const std::set<std::string> before = all.contents();
         try {
-            for (const Submission& s : all.find(one.name).submissions)
+            for (const HandedIn& s : all.find(one.name).submissions)
                 CHECK(s.files.empty());
         } catch (const IngestError& error) {
             CHECK_THAT(error.what(), Containing(one.name + ": "));
@@ -87,9 +87,9 @@ TEST_CASE("a hostile archive in the archive of a class harms nobody else") {
     writer.add({"honest/face_sides.cpp", "honest"});
     ClassOnDisk all;
     all.file("class.tar.zst", writer.finish());
-    const SubmittedClass found = all.find("class.tar.zst");
+    const ClassHandedIn found = all.find("class.tar.zst");
     CHECK(found.submissions.size() == static_cast<std::size_t>(k + 1));
-    for (const Submission& one : found.submissions) {
+    for (const HandedIn& one : found.submissions) {
         CAPTURE(one.student);
         CHECK(one.files.size() == (one.student == "honest" ? 1 : 0));
         CHECK(one.notes.empty() == (one.student == "honest"));
@@ -100,14 +100,14 @@ TEST_CASE("setuid bits and owners are nothing but numbers") {
     ClassOnDisk all;
     all.file("anna/a.tar",
              packed(tar, {{"prev.cpp", "mine", AE_IFREG, 06755}}));
-    CHECK(all.only().files.at("prev.cpp").bytes == "mine");
+    CHECK(all.only().files.at("prev.cpp") == "mine");
 }
 
 TEST_CASE("a file that follows a link of its name is taken as data") {
     ClassOnDisk all;
     all.file("anna/a.tar", tar_of({{"prev.cpp", '2', "", "/etc/passwd"},
                                    {"prev.cpp", '0', "mine"}}));
-    CHECK(all.only().files.at("prev.cpp").bytes == "mine");
+    CHECK(all.only().files.at("prev.cpp") == "mine");
     CHECK(joined(all.only().notes) ==
           "a.tar/prev.cpp: is a symbolic link: refused\n");
 }
@@ -120,7 +120,7 @@ TEST_CASE("what is refused in the archive of a class stands with its student") {
                      {"carla/face_sides.cpp", '2', "", "../anna/prev.cpp"},
                      {"../prev.cpp"},
                      {"mallory", '2', "", "anna"}}));
-    const SubmittedClass found = all.find("class.tar");
+    const ClassHandedIn found = all.find("class.tar");
     REQUIRE(found.submissions.size() == 2);
     CHECK(joined(found.submissions[0].notes) ==
           "../bruno/prev.cpp: leads out of its folder by \"..\": refused\n");
@@ -184,6 +184,33 @@ TEST_CASE("the limits of a student hold over all archives together") {
     CHECK(all.only(limits).files.size() == 1);
 }
 
+TEST_CASE("an archive with one name many times does not fill the disk") {
+    ArchiveWriter writer(tar_gz);
+    for (int k = 10; k < 60; ++k) writer.add({"prev.cpp", std::to_string(k)});
+    ClassOnDisk all;
+    all.file("anna/a.tgz", writer.finish());
+    IngestLimits limits;
+    limits.written_bytes = 10;
+    const SubmittedClass found =
+        find_submissions(all.at("."), {"prev.cpp"}, limits);
+    const Submission& anna = found.submissions.at(0);
+    CHECK(anna.files[0]->offset + anna.files[0]->size == 10);
+    CHECK(found.bytes(anna, 0) == "14");
+    CHECK_THAT(joined(anna.notes),
+               Containing("a.tgz/prev.cpp: at most 10 bytes of a student are "
+                          "taken in all, with files that others of their name "
+                          "replaced, and this file has 2 more: refused"));
+}
+
+TEST_CASE("files that fit are taken whatever was replaced before them") {
+    ClassOnDisk all;
+    all.file("anna/a.zip", packed(zip, {{"x/prev.cpp", "12345678"}}))
+        .file("anna/b/prev.cpp", "abcdefgh");
+    IngestLimits limits;
+    limits.total_bytes = 10;
+    CHECK(all.only(limits).files.at("prev.cpp") == "abcdefgh");
+}
+
 TEST_CASE("entries of one student in the archive of a class are limited") {
     ArchiveWriter writer(tar_gz);
     for (int k = 0; k < 50; ++k) writer.add({"anna/" + std::to_string(k), "x"});
@@ -192,7 +219,7 @@ TEST_CASE("entries of one student in the archive of a class are limited") {
     all.file("class.tgz", writer.finish());
     IngestLimits limits;
     limits.entries = 50;
-    const SubmittedClass found = all.find("class.tgz", limits);
+    const ClassHandedIn found = all.find("class.tgz", limits);
     CHECK(found.submissions[0].files.empty());
     CHECK_THAT(joined(found.submissions[0].notes),
                Containing("what follows in the archive was left out"));

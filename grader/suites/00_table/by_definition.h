@@ -45,13 +45,4 @@ inline std::vector<int> border(const Fixture& fixture) {
     return half_edges;
 }
 
-/// Half-edges all over a large mesh that has a border, a few on the border.
-inline std::vector<int> some_half_edges(const Fixture& large) {
-    const std::vector<int> loop = border(large);
-    std::vector<int> some = {loop.front(), loop[loop.size() / 2], loop.back()};
-    for (int k = 0; k < many_calls; ++k)
-        some.push_back(k * (large.he.size() / many_calls));
-    return some;
-}
-
 }  // namespace course::oracle

@@ -2,6 +2,7 @@
 #include "exercises/00_table/prev.h"
 #include "course/runner/suite.h"
 #include "grader/suites/00_table/by_definition.h"
+#include "grader/suites/for_each_half_edge.h"
 #include "grader/suites/meshes.h"
 
 using namespace course;
@@ -19,6 +20,7 @@ int side_before(const Fixture& fixture, int f, int vertex) {
 
 void check_all(const Fixture& fixture) {
     const OnMesh on(fixture);
+    const AskAhead ahead(fixture.he, all_half_edges(fixture.he));
     const std::vector<int> before = oracle::previous(fixture.he);
     for (int i = 0; i < fixture.he.size(); ++i)
         CHECK(::prev(fixture.he, i) == before[static_cast<std::size_t>(i)]);
@@ -26,6 +28,7 @@ void check_all(const Fixture& fixture) {
 
 void check_border(const Fixture& fixture) {
     const OnMesh on(fixture);
+    const AskAhead ahead(fixture.he, all_half_edges(fixture.he));
     const std::vector<int> before = oracle::previous(fixture.he);
     for (const int i : oracle::border(fixture))
         CHECK(::prev(fixture.he, i) == before[static_cast<std::size_t>(i)]);
@@ -42,6 +45,7 @@ TEST_CASE("faces of every size, at each of their sides", "[points:2]") {
     hint("Which half-edge of the face has i as its next?");
     for (const Fixture& fixture : all_fixtures()) {
         const OnMesh on(fixture);
+        const AskAhead ahead(fixture.he, all_half_edges(fixture.he));
         for (int i = 0; i < fixture.he.size(); ++i) {
             const HalfEdge& half_edge = row(fixture, i);
             if (half_edge.fi != -1)
@@ -83,21 +87,22 @@ TEST_CASE("the half-edge before, on generated meshes", "[points:1]") {
 TEST_CASE("the way back costs no more than one way round", "[points:1]") {
     hint(
         "Which half-edges can come before i? Must you look at all the others?");
-    const Fixture& large = a_million_half_edges();
-    const std::vector<int> before = oracle::previous(large.he);
-    std::vector<int> in_faces = oracle::some_half_edges(large);
-    const auto is_border = [&](int i) { return row(large, i).fi == -1; };
-    const auto first_of_border = std::stable_partition(
-        in_faces.begin(), in_faces.end(), [&](int i) { return !is_border(i); });
-    const std::vector<int> on_border(first_of_border, in_faces.end());
-    in_faces.erase(first_of_border, in_faces.end());
-    const auto check = [&](int i, std::int64_t length) {
-        const ReadBudget budget(large.he, allowance(length, 4));
-        REQUIRE(::prev(large.he, i) == before[static_cast<std::size_t>(i)]);
+    const LargeMesh& large = a_million_half_edges();
+    const std::vector<int> before = oracle::previous(large.tile.he);
+    const auto check = [&](const HalfEdgeTable& he, const InLargeMesh& at) {
+        const int expected = before[static_cast<std::size_t>(at.i)];
+        REQUIRE(::prev(he, at.row()) == at.mesh->half_edges(expected, at.copy));
     };
-    const auto border_length =
-        static_cast<std::int64_t>(oracle::border(large).size());
-    for (const int i : on_border) check(i, border_length);
-    const AskAhead ahead(large.he, in_faces);
-    for (const int i : in_faces) check(i, 4);
+    std::vector<InLargeMesh> asked = some_of(large, many_calls);
+    const auto has_face = [&](const InLargeMesh& at) {
+        return row(large.tile, at.i).fi != -1;
+    };
+    const auto on_border =
+        std::stable_partition(asked.begin(), asked.end(), has_face);
+    const std::vector<InLargeMesh> border(on_border, asked.end());
+    asked.erase(on_border, asked.end());
+    hidden::for_each_asked(large, asked, allowance(4, 4), check);
+    const auto length =
+        static_cast<std::int64_t>(oracle::border(large.tile).size());
+    hidden::for_each_asked(large, border, allowance(length, 4), check);
 }

@@ -68,7 +68,9 @@ TEST_CASE("the cost does not grow with the mesh", "[points:1]") {
     hint("How many half-edges of the table must you look at for one face?");
     hidden::for_some_of_a_million(
         many_calls, 200, hidden::has_face,
-        [](const HalfEdgeTable& he, int i, const ByFaces& expected) {
-            REQUIRE(face_vertices(he, i) == expected.face_vertices(i));
+        [](const HalfEdgeTable& he, const InLargeMesh& at,
+           const ByFaces& expected) {
+            REQUIRE(face_vertices(he, at.row()) ==
+                    at.vertices(expected.face_vertices(at.i)));
         });
 }

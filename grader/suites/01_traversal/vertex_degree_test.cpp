@@ -65,7 +65,9 @@ TEST_CASE("the cost does not grow with the mesh", "[points:1]") {
     hint("How many half-edges of the table must you look at for one vertex?");
     hidden::for_some_of_a_million(
         many_calls, 200, hidden::starts_within,
-        [](const HalfEdgeTable& he, int i, const ByFaces& expected) {
-            REQUIRE(vertex_degree(he, i) == expected.vertex_degree(i));
+        [](const HalfEdgeTable& he, const InLargeMesh& at,
+           const ByFaces& expected) {
+            REQUIRE(vertex_degree(he, at.row()) ==
+                    expected.vertex_degree(at.i));
         });
 }

@@ -89,8 +89,9 @@ TEST_CASE("the cost does not grow with the mesh", "[points:1]") {
     hint("How many half-edges of the table must you look at for one vertex?");
     hidden::for_some_of_a_million(
         many_calls, 200, hidden::starts_within,
-        [](const HalfEdgeTable& he, int i, const ByFaces& expected) {
-            REQUIRE_THAT(vertex_faces(he, i),
-                         IsRotationOf(expected.faces_met(i)));
+        [](const HalfEdgeTable& he, const InLargeMesh& at,
+           const ByFaces& expected) {
+            REQUIRE_THAT(vertex_faces(he, at.row()),
+                         IsRotationOf(at.faces(expected.faces_met(at.i))));
         });
 }

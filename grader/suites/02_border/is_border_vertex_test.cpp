@@ -1,9 +1,12 @@
 // Hidden suite of is_border_vertex.
 #include "exercises/02_border/is_border_vertex.h"
 
+#include <set>
+
 #include "course/runner/suite.h"
 #include "grader/suites/02_border/meshes.h"
 #include "grader/suites/02_border/oracle.h"
+#include "grader/suites/for_each_half_edge.h"
 #include "grader/suites/meshes.h"
 
 using namespace course;
@@ -63,25 +66,14 @@ TEST_CASE("generated meshes", "[points:1]") {
 
 TEST_CASE("the cost does not grow with the mesh", "[points:1]") {
     hint("Which half-edges of the table can be at this vertex at all?");
-    const Fixture& large = a_million_half_edges();
-    const std::vector<HalfEdge>& rows = large.he.rows();
-    const std::vector<int> border = oracle::border_rows(large.he);
-    std::vector<bool> on_border(large.mesh.positions.size(), false);
-    for (const int i : border)
-        on_border[static_cast<std::size_t>(vertex_of(large, i))] = true;
-
-    const int step = large.he.size() / many_calls;
-    std::vector<int> asked;
-    for (int k = 0; k < many_calls; ++k) {
-        const int at_border =
-            border[static_cast<std::size_t>(k) % border.size()];
-        const int beside = rows[static_cast<std::size_t>(at_border)].opp;
-        asked.push_back(k % 2 == 0 ? beside : k * step);
-    }
-    const AskAhead ahead(large.he, asked);
-    for (const int i : asked) {
-        const ReadBudget budget(large.he, 64);
-        REQUIRE(is_border_vertex(large.he, i) ==
-                on_border[static_cast<std::size_t>(vertex_of(large, i))]);
-    }
+    const LargeMesh& large = a_million_half_edges();
+    std::set<int> on_border;
+    for (const int i : oracle::border_rows(large.tile.he))
+        on_border.insert(vertex_of(large.tile, i));
+    hidden::for_each_asked(
+        large, some_of(large, many_calls), 64,
+        [&](const HalfEdgeTable& he, const InLargeMesh& at) {
+            REQUIRE(is_border_vertex(he, at.row()) ==
+                    on_border.contains(vertex_of(large.tile, at.i)));
+        });
 }

@@ -4,8 +4,11 @@
 
 #include "course/runner/suite.h"
 #include "grader/suites/02_border/oracle.h"
+#include "grader/suites/for_each_half_edge.h"
 
 namespace course::walk_checks {
+
+using oracle::Border;
 
 namespace {
 
@@ -48,34 +51,28 @@ void from_everywhere(Walk boundary_walk, const Fixture& fixture) {
 }
 
 void cost(Walk boundary_walk) {
-    const Fixture& large = a_million_half_edges();
-    std::vector<int> within;
-    for (int k = 0; k < many_calls; ++k) {
-        const int i = k * (large.he.size() / many_calls);
-        if (row(large, i).fi != -1 && row(large, row(large, i).opp).fi != -1)
-            within.push_back(i);
-    }
-    const AskAhead ahead(large.he, within);
-    for (const int i : within) {
-        const ReadBudget budget(large.he, 16);
-        REQUIRE(boundary_walk(large.he, i).empty());
-    }
+    const LargeMesh& large = a_million_half_edges();
+    const auto has_face = [&](int i) { return row(large.tile, i).fi != -1; };
+    std::vector<InLargeMesh> within = some_of(large, many_calls);
+    std::erase_if(within, [&](const InLargeMesh& at) {
+        return !has_face(at.i) || !has_face(row(large.tile, at.i).opp);
+    });
+    hidden::for_each_asked(large, within, 16,
+                           [&](const HalfEdgeTable& he, const InLargeMesh& at) {
+                               REQUIRE(boundary_walk(he, at.row()).empty());
+                           });
 
-    const std::vector<int> border = oracle::border_rows(large.he);
-    std::vector<int> loop = {border.front()};
-    while (row(large, loop.back()).next != loop.front())
-        loop.push_back(row(large, loop.back()).next);
-    const auto length = static_cast<int>(loop.size());
+    const Border border(large.tile);
     constexpr int long_walks = 40;
+    const std::vector<int> loop = border.loops().front();
     for (int k = 0; k < long_walks; ++k) {
-        const int at_border =
-            loop[static_cast<std::size_t>(k * (length - 1) / (long_walks - 1))];
-        const int i = k % 2 == 0 ? at_border : row(large, at_border).opp;
-        const ReadBudget budget(large.he, 32 * length + 16);
-        std::vector<int> walk = boundary_walk(large.he, i);
-        const auto first = std::find(walk.begin(), walk.end(), loop.front());
-        std::rotate(walk.begin(), first, walk.end());
-        REQUIRE(walk == loop);
+        const int on_border = loop[static_cast<std::size_t>(k) % loop.size()];
+        const InLargeMesh at{
+            &large, k % 2 == 0 ? on_border : row(large.tile, on_border).opp, k};
+        const ReadBudget budget(
+            large.he, 32 * static_cast<std::int64_t>(loop.size()) + 16);
+        REQUIRE_THAT(boundary_walk(large.he, at.row()),
+                     IsRotationOf(at.half_edges(border.walk(at.i))));
     }
 }
 

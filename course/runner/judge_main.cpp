@@ -25,6 +25,7 @@
 #include "course/runner/client.h"
 #include "course/runner/judge_stream.h"
 #include "course/runner/submitted_table.h"
+#include "course/runner/suite.h"
 
 namespace {
 
@@ -227,7 +228,7 @@ private:
 struct Options {
     int control = -1;
     int results = -1;
-    bool plan_only = false;
+    int go = -1;
     std::vector<std::uint64_t> seeds = {1};
     std::string submitted;
     std::vector<std::string> catch_arguments;
@@ -285,10 +286,37 @@ std::vector<CaseResult> results_of_all(
     return all;
 }
 
-int judge(const Options& options) {
-    Catch::Session session;
-    if (const int code = run_catch(session, options); code != 0) return code;
-    set_submitted_file(options.submitted);
+bool has_tag(const Catch::TestCaseInfo& test, const std::string& wanted) {
+#if COURSE_CATCH2 == 2
+    return std::find(test.tags.begin(), test.tags.end(), wanted) !=
+           test.tags.end();
+#else
+    return std::any_of(test.tags.begin(), test.tags.end(),
+                       [&](const Catch::Tag& tag) {
+                           return std::string(tag.original) == wanted;
+                       });
+#endif
+}
+
+/// What some case needs and takes long to make; nothing of it depends on the
+/// submission.
+void make_ready(Catch::Session& session) {
+    for (const auto& test : Catch::getAllTestCasesSorted(session.config()))
+#if COURSE_CATCH2 == 2
+        if (has_tag(test, "large")) a_million_half_edges();
+#else
+        if (has_tag(test.getTestCaseInfo(), "large")) a_million_half_edges();
+#endif
+}
+
+/// Waits for the word to run the cases; false when there will be none.
+bool is_let_go(int go) {
+    char word = 0;
+    return go < 0 || read_all(go, &word, 1);
+}
+
+void run_cases(Catch::Session& session, const Options& options,
+               JudgeStream& stream) {
     std::optional<Client> client;
     if (options.control >= 0) {
         client.emplace(Descriptor(options.control), Limits{});
@@ -299,15 +327,21 @@ int judge(const Options& options) {
         };
         Client::set_current(&*client);
     }
-    if (options.results < 0) {
-        set_seed(options.seeds.at(0));
-        return session.run();
-    }
+    for (const CaseResult& result : results_of_all(session, options.seeds))
+        stream.report(result);
+    Client::set_current(nullptr);
+}
+
+int judge(const Options& options) {
+    Catch::Session session;
+    if (const int code = run_catch(session, options); code != 0) return code;
+    set_submitted_file(options.submitted);
+    set_seed(options.seeds.at(0));
+    if (options.results < 0) return session.run();
     JudgeStream stream{Descriptor(options.results)};
     stream.plan(all_cases(session));
-    if (!options.plan_only)
-        for (const CaseResult& result : results_of_all(session, options.seeds))
-            stream.report(result);
+    make_ready(session);
+    if (is_let_go(options.go)) run_cases(session, options, stream);
     stream.end();
     return 0;
 }
@@ -337,7 +371,9 @@ int main(int argc, char** argv) {
                    "descriptor of the conversation with the launcher");
     app.add_option("--results", options.results,
                    "descriptor that the results are written to");
-    app.add_flag("--plan", options.plan_only, "report the cases and run none");
+    app.add_option("--go", options.go,
+                   "descriptor that a byte is awaited on before the cases are "
+                   "run; none of them is when it is closed instead");
     app.add_option("--seed", options.seeds,
                    "seed of generated meshes; every case is run once for each");
     app.add_option("--submitted", options.submitted,

@@ -22,31 +22,29 @@ Finished run_step(std::vector<std::string> arguments) {
     return run(std::move(command), compiler_patience, most_compiler_output);
 }
 
-/// Runs the judge against the compiled submission.
-ExerciseResult judge_shared(Workplace& workplace, JudgeRun& run,
-                            const fs::path& shared) {
+/// Judge and sandbox are started first: both take as long to be ready as half
+/// of the compiler, and wait for it.
+ExerciseResult judge_function(Workplace& workplace, JudgeRun run,
+                              const fs::path& source) {
+    const TemporaryFolder folder;
+    const fs::path shared = folder / "submission.so";
     DescriptorPair control = socket_pair();
     const Descriptor complaints = anonymous_file();
     Process launcher = workplace.launch(shared, control.second, complaints);
     control.second.reset();
     run.control = std::move(control.first);
-    ExerciseResult result = run_judge(run);
+    RunningJudge judge(run);
     run.control.reset();
+    const Compiled compiled = workplace.compile(run.exercise, source, shared);
+    if (compiled.verdict != Verdict::accepted) {
+        ExerciseResult result = judge.instead(compiled.verdict);
+        result.message = compiled.messages;
+        return result;
+    }
+    ExerciseResult result = judge.result();
     launcher.end_within(std::chrono::seconds(2));
     if (result.verdict == Verdict::grader_fault)
         result.message += "\n" + last_bytes(complaints.get());
-    return result;
-}
-
-ExerciseResult judge_function(Workplace& workplace, JudgeRun run,
-                              const fs::path& source) {
-    const TemporaryFolder folder;
-    const fs::path shared = folder / "submission.so";
-    const Compiled compiled = workplace.compile(run.exercise, source, shared);
-    ExerciseResult result =
-        compiled.verdict == Verdict::accepted
-            ? judge_shared(workplace, run, shared)
-            : every_case(run.exercise, run.kind, compiled.verdict);
     if (result.message.empty()) result.message = compiled.messages;
     return result;
 }
@@ -136,7 +134,7 @@ ExerciseResult judge_submission(Workplace& workplace, const Exercise& exercise,
         if (!exercise.is_data)
             return judge_function(workplace, std::move(run), file);
         run.submitted = fs::absolute(file);
-        return run_judge(run);
+        return RunningJudge(run).result();
     } catch (const std::exception& error) {
         ExerciseResult fault;
         fault.message = error.what();

@@ -25,14 +25,15 @@ class Workplace {
 public:
     virtual ~Workplace() = default;
 
-    /// Compiles `source` and links it for its exercise into `shared`.
+    /// Compiles `source` and links it for its exercise into `shared`, after
+    /// launch.
     virtual Compiled compile(const Exercise& exercise,
                              const std::filesystem::path& source,
                              const std::filesystem::path& shared) = 0;
 
-    /// Starts a launcher for `shared`, with the other end of its conversation
-    /// with the judge, and a file for what it has to complain about. Throws
-    /// SystemError.
+    /// Starts a launcher for `shared`, which compile is going to make; with the
+    /// other end of its conversation with the judge, and a file for what it has
+    /// to complain about. Throws SystemError.
     virtual Process launch(const std::filesystem::path& shared,
                            const Descriptor& control,
                            const Descriptor& complaints) = 0;

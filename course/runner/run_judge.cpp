@@ -50,64 +50,79 @@ void lift_fault(ExerciseResult& result) {
                                  : c.failures[0].got;
 }
 
-/// Starts the judge, reads its report, and says how it ended when it broke.
-ExerciseResult report_of(const Exercise& exercise, Command command,
-                         std::chrono::milliseconds most) {
-    constexpr int results = 4;
-    DescriptorPair pipe = pipe_pair();
-    const Descriptor complaints = anonymous_file();
-    command.arguments.insert(command.arguments.end(),
-                             {"--results", std::to_string(results)});
-    command.environment = plain_environment();
-    command.descriptors.emplace_back(pipe.second.get(), results);
-    command.descriptors.emplace_back(complaints.get(), 2);
-    Process judge(command);
-    pipe.second.reset();
-    const JudgeReport report =
-        read_judge_stream(pipe.first.get(), Clock::now() + most);
-    if (!report.ended) judge.kill();
-    const int status = judge.wait();
-    ExerciseResult result = result_of(report);
-    if (!report.ended)
-        result.message += fmt::format(" ({}): {}", how_it_ended(status),
-                                      last_bytes(complaints.get()));
-    lift_load_error(exercise, result);
-    lift_fault(result);
-    return result;
+std::vector<std::string> arguments_of(const JudgeRun& run) {
+    std::vector<std::string> list = {judge_of(run.exercise, run.kind)};
+    for (const std::uint64_t seed : run.seeds)
+        list.insert(list.end(), {"--seed", std::to_string(seed)});
+    if (!run.submitted.empty())
+        list.insert(list.end(), {"--submitted", run.submitted});
+    return list;
 }
 
 }  // namespace
 
-ExerciseResult run_judge(const JudgeRun& run) {
-    constexpr int control = 3;
+RunningJudge::RunningJudge(const JudgeRun& run)
+    : exercise_(run.exercise),
+      most_(run.most * static_cast<int>(run.seeds.size())),
+      complaints_(anonymous_file()) {
+    constexpr int control = 3, results = 4, go = 5;
+    DescriptorPair report = pipe_pair(), start = socket_pair();
     Command command;
-    command.arguments = {judge_of(run.exercise, run.kind)};
-    for (const std::uint64_t seed : run.seeds)
-        command.arguments.insert(command.arguments.end(),
-                                 {"--seed", std::to_string(seed)});
+    command.arguments = arguments_of(run);
+    command.arguments.insert(
+        command.arguments.end(),
+        {"--results", std::to_string(results), "--go", std::to_string(go)});
+    command.environment = plain_environment();
+    command.descriptors = {{complaints_.get(), 2},
+                           {report.second.get(), results},
+                           {start.first.get(), go}};
     if (run.control) {
-        command.descriptors = {{run.control.get(), control}};
+        command.descriptors.emplace_back(run.control.get(), control);
         command.arguments.insert(command.arguments.end(),
                                  {"--control", std::to_string(control)});
     }
-    if (!run.submitted.empty())
-        command.arguments.insert(command.arguments.end(),
-                                 {"--submitted", run.submitted});
-    return report_of(run.exercise, std::move(command),
-                     run.most * static_cast<int>(run.seeds.size()));
+    process_.emplace(command);
+    results_ = std::move(report.first);
+    go_ = std::move(start.second);
 }
 
-ExerciseResult every_case(const Exercise& exercise, JudgeKind kind,
-                          Verdict verdict) {
-    Command command;
-    command.arguments = {judge_of(exercise, kind), "--plan"};
-    ExerciseResult result =
-        report_of(exercise, std::move(command), std::chrono::seconds(20));
+ExerciseResult RunningJudge::report(std::chrono::milliseconds most) {
+    const JudgeReport report =
+        read_judge_stream(results_.get(), Clock::now() + most);
+    if (!report.ended) process_->kill();
+    const int status = process_->wait();
+    ExerciseResult result = result_of(report);
+    if (!report.ended)
+        result.message += fmt::format(" ({}): {}", how_it_ended(status),
+                                      last_bytes(complaints_.get()));
+    return result;
+}
+
+ExerciseResult RunningJudge::result() {
+    // Fails when the judge has ended already; its report then tells.
+    send_all(go_.get(), "g", Clock::now() + std::chrono::seconds(1));
+    ExerciseResult result = report(most_);
+    lift_load_error(exercise_, result);
+    lift_fault(result);
+    return result;
+}
+
+ExerciseResult RunningJudge::instead(Verdict verdict) {
+    go_.reset();
+    ExerciseResult result = report(std::chrono::seconds(20));
     if (result.cases.empty()) throw SystemError(result.message);
     result.message.clear();
     for (CaseResult& c : result.cases) c.verdict = verdict;
     result.verdict = verdict;
     return result;
+}
+
+ExerciseResult every_case(const Exercise& exercise, JudgeKind kind,
+                          Verdict verdict) {
+    JudgeRun run;
+    run.exercise = exercise;
+    run.kind = kind;
+    return RunningJudge(run).instead(verdict);
 }
 
 double planned_points(const Exercise& exercise) {

@@ -4,10 +4,12 @@
 #include <chrono>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <vector>
 
 #include "course/runner/descriptors.h"
 #include "course/runner/exercises.h"
+#include "course/runner/process.h"
 #include "course/runner/results.h"
 
 namespace course {
@@ -32,11 +34,33 @@ struct JudgeRun {
     std::chrono::milliseconds most{50'000};
 };
 
-/// The result; a judge that fails makes a grader fault that says how.
-ExerciseResult run_judge(const JudgeRun& run);
+/// A judge that has been started. It makes ready what takes long, says which
+/// cases there are, and waits: so it can be started while the submission is
+/// still being compiled.
+class RunningJudge {
+public:
+    /// Throws SystemError.
+    explicit RunningJudge(const JudgeRun& run);
 
-/// The cases that grading runs for an exercise, all with this verdict: for a
-/// submission that never gets as far as the judge. Throws SystemError.
+    /// Lets it run its cases; the result. A judge that fails makes a grader
+    /// fault that says how. At most one of the two is called, once.
+    ExerciseResult result();
+
+    /// All its cases, not run, with this verdict: for a submission that never
+    /// gets as far as the judge. Throws SystemError.
+    ExerciseResult instead(Verdict verdict);
+
+private:
+    ExerciseResult report(std::chrono::milliseconds most);
+
+    Exercise exercise_;
+    std::chrono::milliseconds most_;
+    Descriptor go_, results_, complaints_;
+    std::optional<Process> process_;
+};
+
+/// The cases that grading runs for an exercise, all with this verdict. Throws
+/// SystemError.
 ExerciseResult every_case(const Exercise& exercise, JudgeKind kind,
                           Verdict verdict);
 

@@ -84,8 +84,8 @@ Behaviour replies(CallStatus status, const std::string& body) {
 /// all others are honest.
 class FakeLauncher {
 public:
-    explicit FakeLauncher(Behaviour first, int status = 0)
-        : first_(std::move(first)), status_(status) {
+    FakeLauncher(Behaviour first, int status, std::int64_t cpu_us)
+        : first_(std::move(first)), status_(status), cpu_us_(cpu_us) {
         DescriptorPair ends = socket_pair();
         judge_end_ = std::move(ends.first);
         control_ = std::move(ends.second);
@@ -104,7 +104,7 @@ public:
 
 private:
     void tell(Event event, int status = 0) {
-        const LauncherEvent e{event, generation_, status, 0, 0};
+        const LauncherEvent e{event, generation_, status, 0, cpu_us_};
         send_bytes(control_.get(), raw(e));
     }
 
@@ -145,6 +145,7 @@ private:
 
     Behaviour first_;
     int status_;
+    std::int64_t cpu_us_;
     Descriptor judge_end_, control_, channel_;
     std::thread thread_, worker_;
     std::atomic<std::uint32_t> generation_ = 0;
@@ -171,8 +172,8 @@ struct Outcome {
 class Judge {
 public:
     explicit Judge(Behaviour first, int status = 0,
-                   Limits limits = short_limits())
-        : launcher_(std::move(first), status),
+                   Limits limits = short_limits(), std::int64_t cpu_us = 0)
+        : launcher_(std::move(first), status, cpu_us),
           client_(launcher_.judge_end(), limits) {
         Client::set_current(&client_);
         client_.on_failure = [this](Verdict verdict, const std::string& why) {
@@ -206,6 +207,8 @@ public:
         return outcome;
     }
 
+    /// What was recorded since the last call began.
+    const Outcome& outcome() const { return last_; }
     Client& client() { return client_; }
     const Fixture& slide() const { return slide_; }
     int workers() const { return launcher_.workers(); }
@@ -567,29 +570,87 @@ TEST_CASE("calls that were asked for ahead get the answers to their own") {
     CHECK(judge.call().value == 44);  // calls with 4
     CHECK(judge.client().last_call().reads == 7);
     judge.client().end_case();
+    CHECK(judge.workers() == 1);
     for (const std::string& wrong :
-         {std::string(), result(1), result(1) + result(2) + result(3),
-          result(1) + encode(std::int64_t{0}) + encode(std::string("x"))}) {
+         {std::string(), result(1), result(1) + result(2) + result(3)}) {
         Judge hostile(many(wrong));
         hostile.client().begin_case();
         hostile.client().ask_ahead(hostile.slide().he, {3, 4});
-        const Outcome outcome = hostile.call();
-        CHECK(outcome.verdict == Verdict::run_time_error);
-        CHECK(contains(outcome.why, "broke its conversation"));
+        // Forgotten; the next worker is asked for this one alone.
+        CHECK(hostile.call().value == 4);
+        CHECK(hostile.workers() == 2);
         hostile.client().end_case();
+    }
+    Judge hostile(
+        many(result(1) + encode(std::int64_t{0}) + encode(std::string("x"))));
+    hostile.client().begin_case();
+    hostile.client().ask_ahead(hostile.slide().he, {3, 4});
+    const Outcome outcome = hostile.call();
+    CHECK(outcome.verdict == Verdict::run_time_error);
+    CHECK(contains(outcome.why, "broke its conversation"));
+    hostile.client().end_case();
+}
+
+TEST_CASE("where asking ahead fails, a fresh worker is asked one by one") {
+    const std::vector<Behaviour> failing = {
+        replies(CallStatus::too_many_reads,
+                trace(9, {}) + encode(std::string("because"))),
+        replies(CallStatus::threw, trace(0, {}) +
+                                       encode(std::string("std::logic_error")) +
+                                       encode(std::string("no"))),
+        [](int channel) { (void)request(channel); },  // ends itself
+        [](int channel) {                             // never answers
+            while (request(channel)) {
+            }
+        }};
+    for (const Behaviour& behaviour : failing) {
+        Judge judge(behaviour);
+        judge.client().begin_case();
+        judge.client().ask_ahead(judge.slide().he, {3, 4});
+        CHECK(judge.call().value == 4);
+        CHECK(judge.call().value == 4);
+        CHECK(judge.workers() == 2);
+        judge.client().end_case();
+        // Who failed once is asked one by one in later cases, too.
+        judge.client().begin_case();
+        judge.client().ask_ahead(judge.slide().he, {3, 4});
+        CHECK(judge.call().value == 4);
+        judge.client().end_case();
     }
 }
 
-TEST_CASE(
-    "a failure among calls that were asked for ahead is that of the case") {
-    Judge judge(replies(CallStatus::too_many_reads,
-                        trace(9, {}) + encode(std::string("because"))));
+TEST_CASE("a failed check shows the walk of a call that was answered ahead") {
+    const auto both = [](int channel) {
+        if (const auto asked = request(channel))
+            send_bytes(channel, reply(*asked, CallStatus::returned,
+                                      trace(0, {}) + encode(std::int64_t{7}) +
+                                          encode(encode(44))));
+        honest(channel);
+    };
+    Judge judge(both);
     judge.client().begin_case();
-    judge.client().ask_ahead(judge.slide().he, {3, 4});
-    CHECK(judge.call().verdict == Verdict::time_limit_exceeded);
+    judge.client().ask_ahead(judge.slide().he, {4});
+    CHECK(judge.call().value == 44);
+    CHECK(judge.client().last_call().walk.empty());
+    judge.client().walk_again();
+    CHECK(judge.client().last_call().walk.at(0) == Visit{2, 30});
     judge.client().end_case();
-    judge.client().stop_asking_ahead();
-    CHECK(judge.run_case().value == 4);
+}
+
+TEST_CASE("a case fails whose calls took more time than they have in all") {
+    using std::chrono::milliseconds;
+    constexpr std::int64_t used_us = 400'000;
+    for (const auto& [most, verdict] :
+         {std::pair{milliseconds(399),
+                    std::optional(Verdict::time_limit_exceeded)},
+          std::pair{milliseconds(400), std::optional<Verdict>()}}) {
+        Judge judge(honest, 0, short_limits(), used_us);
+        judge.client().begin_case();
+        judge.client().limit_cpu(most);
+        CHECK(judge.call().value == 4);
+        judge.client().end_case();
+        CHECK(judge.outcome().verdict == verdict);
+    }
 }
 
 TEST_CASE("what one worker says of loading holds for its case only") {

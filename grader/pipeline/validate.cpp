@@ -126,7 +126,7 @@ ExerciseResult in_process(const Trial& trial,
     run.kind = course::JudgeKind::reference;
     run.seeds = {trial.seed};
     if (exercise.is_data) run.submitted = trial.file;
-    return course::run_judge(run);
+    return course::RunningJudge(run).result();
 }
 
 ExerciseResult carry_out(const Trial& trial, const ValidationRun& run,

@@ -160,9 +160,9 @@ std::string compile_script(const course::Exercise& exercise,
     std::string script = compile(course::Prelude::full);
     if (prelude == course::Prelude::lean)
         script = fmt::format(
-            "{} >{}/said 2>&1; s=$?; if [ $s = 1 ]; then {}; else cat {}/said; "
-            "(exit $s); fi",
-            compile(prelude), work, script, work);
+            "{} >{}/said 2>&1; s=$?; if [ $s = 1 ]; then {}; else [ ! -s "
+            "{}/said ] || cat {}/said; [ $s = 0 ]; fi",
+            compile(prelude), work, script, work, work);
     return script + " && " + shell_words(link) + "&& cat " + work + "/s.so >&3";
 }
 
@@ -331,7 +331,8 @@ Arguments run_under_landlock(const Stage& stage, int slot,
     const fs::path inside = place_of(slot) / "submission.so";
     const fs::path outside = stage.root() / inside.relative_path();
     fs::create_directories(outside.parent_path());
-    fs::copy_file(shared, outside, fs::copy_options::overwrite_existing);
+    fs::remove(outside);
+    fs::create_hard_link(shared, outside);
     append(list, {"--read=" + outside.string(), "--", "/worker", inside});
     return list;
 }
@@ -472,9 +473,8 @@ course::Compiled Sandbox::compile(const course::Exercise& exercise,
                                   const fs::path& shared) {
     const fs::path copy = shared.parent_path() / exercise.file_name();
     fs::copy_file(source, copy);
-    const Descriptor out =
-        open_file(shared, O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW);
-    let_others_read(shared.parent_path(), {copy, shared});
+    const Descriptor out = open_file(shared, O_WRONLY | O_NOFOLLOW);
+    let_others_read(shared.parent_path(), {copy});
     if (isolation_ == Isolation::landlock)
         make_scratch(scratch_beside(copy), stage_, slot_);
     const Descriptor filter = open_file(stage_.compile_filter(), O_RDONLY);
@@ -482,10 +482,11 @@ course::Compiled Sandbox::compile(const course::Exercise& exercise,
     course::Command command = compile_step(isolation_, stage_, exercise, copy);
     command.descriptors = {
         {out.get(), 3}, {status.get(), 8}, {filter.get(), 9}};
-    enter(command, "compile", compiling);
+    std::optional<ControlGroup> group;
+    enter(command, "compile", compiling, group);
     const course::Finished finished = course::run(
         command, course::compiler_patience, course::most_compiler_output);
-    group_.reset();
+    group.reset();
     if (!finished.timed_out && !has_started(isolation_, finished, status))
         return {course::Verdict::grader_fault,
                 "the compile sandbox did not start: " + finished.output};
@@ -495,6 +496,9 @@ course::Compiled Sandbox::compile(const course::Exercise& exercise,
 course::Process Sandbox::launch(const fs::path& shared,
                                 const Descriptor& control,
                                 const Descriptor& complaints) {
+    // The same file that compile fills: it is shown inside before that.
+    open_file(shared, O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW);
+    let_others_read(shared.parent_path(), {shared});
     const Descriptor filter = open_file(stage_.compile_filter(), O_RDONLY);
     const Descriptor strict = open_file(stage_.worker_filter(), O_RDONLY);
     course::Command command = run_step(isolation_, stage_, slot_, shared);
@@ -502,15 +506,16 @@ course::Process Sandbox::launch(const fs::path& shared,
                            {control.get(), 3},
                            {strict.get(), 4},
                            {filter.get(), 9}};
-    enter(command, "run", running);
+    enter(command, "run", running, group_);
     return course::Process(command);
 }
 
 void Sandbox::enter(course::Command& command, const char* step,
-                    const StepLimits& limits) {
-    group_.emplace(stage_.groups(), fmt::format("{}-{}", step, slot_),
-                   limits.group_mib, limits.processes);
-    const Arguments before = entering(stage_, slot_, limits, group_);
+                    const StepLimits& limits,
+                    std::optional<ControlGroup>& group) {
+    group.emplace(stage_.groups(), fmt::format("{}-{}", step, slot_),
+                  limits.group_mib, limits.processes);
+    const Arguments before = entering(stage_, slot_, limits, group);
     command.arguments.insert(command.arguments.begin(), before.begin(),
                              before.end());
 }

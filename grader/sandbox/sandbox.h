@@ -102,12 +102,12 @@ public:
 
 private:
     void enter(course::Command& command, const char* step,
-               const StepLimits& limits);
+               const StepLimits& limits, std::optional<ControlGroup>& group);
 
     Isolation isolation_;
     const Stage& stage_;
     int slot_;
-    std::optional<ControlGroup> group_;
+    std::optional<ControlGroup> group_;  ///< of the run step
 };
 
 /// The workplace of a lane.

@@ -81,7 +81,7 @@ TEST_CASE("ends of edges on generated meshes", "[points:1]") {
     }
 }
 
-TEST_CASE("two ends cost a fixed number of reads", "[points:1]") {
+TEST_CASE("two ends cost a fixed number of reads", "[points:1][large]") {
     hint("How many rows of the table must you look at for one edge?");
     const LargeMesh& large = a_million_half_edges();
     hidden::for_each_asked(large, some_of(large, many_calls), 3 * 3 + 8,

@@ -84,7 +84,8 @@ TEST_CASE("the half-edge before, on generated meshes", "[points:1]") {
     for (const Fixture& fixture : generated_fixtures()) check_all(fixture);
 }
 
-TEST_CASE("the way back costs no more than one way round", "[points:1]") {
+TEST_CASE("the way back costs no more than one way round",
+          "[points:1][large]") {
     hint(
         "Which half-edges can come before i? Must you look at all the others?");
     const LargeMesh& large = a_million_half_edges();

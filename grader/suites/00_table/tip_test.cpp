@@ -54,7 +54,7 @@ TEST_CASE("tips on generated meshes", "[points:1]") {
     }
 }
 
-TEST_CASE("a tip costs a fixed number of reads", "[points:1]") {
+TEST_CASE("a tip costs a fixed number of reads", "[points:1][large]") {
     hint("Must you look at any half-edge but a neighbour of i?");
     const LargeMesh& large = a_million_half_edges();
     hidden::for_each_asked(

@@ -60,7 +60,7 @@ TEST_CASE("generated meshes", "[points:1]") {
         });
 }
 
-TEST_CASE("the cost does not grow with the mesh", "[points:1]") {
+TEST_CASE("the cost does not grow with the mesh", "[points:1][large]") {
     hint("How many half-edges does an edge have?");
     hidden::for_some_of_a_million(
         many_calls, 64, hidden::anywhere,

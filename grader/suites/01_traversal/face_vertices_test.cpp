@@ -64,7 +64,7 @@ TEST_CASE("generated meshes", "[points:1]") {
         });
 }
 
-TEST_CASE("the cost does not grow with the mesh", "[points:1]") {
+TEST_CASE("the cost does not grow with the mesh", "[points:1][large]") {
     hint("How many half-edges of the table must you look at for one face?");
     hidden::for_some_of_a_million(
         many_calls, 200, hidden::has_face,

@@ -102,7 +102,7 @@ TEST_CASE("renumbered and generated meshes", "[points:1]") {
     check(generated_fixtures(), everywhere);
 }
 
-TEST_CASE("the cost does not grow with the mesh", "[points:1]") {
+TEST_CASE("the cost does not grow with the mesh", "[points:1][large]") {
     hint("How many half-edges of the table must you look at for one vertex?");
     // Few calls: each sends the anchors of the whole mesh.
     constexpr int calls = 5;

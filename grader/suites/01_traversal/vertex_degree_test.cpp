@@ -61,7 +61,7 @@ TEST_CASE("generated meshes", "[points:1]") {
         });
 }
 
-TEST_CASE("the cost does not grow with the mesh", "[points:1]") {
+TEST_CASE("the cost does not grow with the mesh", "[points:1][large]") {
     hint("How many half-edges of the table must you look at for one vertex?");
     hidden::for_some_of_a_million(
         many_calls, 200, hidden::starts_within,

@@ -41,7 +41,7 @@ TEST_CASE("numbers of half-edges and faces mean nothing", "[points:1]") {
         walk_checks::from_everywhere(boundary_walk_bug, fixture);
 }
 
-TEST_CASE("the cost does not grow with the mesh", "[points:1]") {
+TEST_CASE("the cost does not grow with the mesh", "[points:1][large]") {
     hint("Which half-edges does the walk need, and which did you look at?");
     walk_checks::cost(boundary_walk_bug);
 }

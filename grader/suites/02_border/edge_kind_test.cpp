@@ -62,7 +62,7 @@ TEST_CASE("numbers of half-edges and faces mean nothing", "[points:1]") {
         check_all_edges(fixture);
 }
 
-TEST_CASE("the cost does not grow with the mesh", "[points:1]") {
+TEST_CASE("the cost does not grow with the mesh", "[points:1][large]") {
     hint("Which field takes you to the other side without a search?");
     const LargeMesh& large = a_million_half_edges();
     const std::vector<HalfEdge>& rows = large.tile.he.rows();

@@ -64,7 +64,7 @@ TEST_CASE("generated meshes", "[points:1]") {
         check_vertices(fixture);
 }
 
-TEST_CASE("the cost does not grow with the mesh", "[points:1]") {
+TEST_CASE("the cost does not grow with the mesh", "[points:1][large]") {
     hint("Which half-edges of the table can be at this vertex at all?");
     const LargeMesh& large = a_million_half_edges();
     std::set<int> on_border;

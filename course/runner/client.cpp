@@ -137,12 +137,13 @@ void Client::begin_case() {
     last_call_ = {};
     answered_.reset();
     output_.reset();
-    cpu_limit_ = std::chrono::seconds(limits_.cpu_seconds);
+    cpu_limit_ = std::chrono::milliseconds(was_endless_ ? limits_.later_cpu_ms
+                                                        : limits_.cpu_ms);
     case_end_ = Clock::now() + std::chrono::milliseconds(limits_.case_ms);
 }
 
 void Client::limit_cpu(std::chrono::milliseconds most) {
-    cpu_limit_ = std::min(cpu_limit_, most);
+    cpu_limit_ = most;
 }
 
 void Client::send_as(const HalfEdgeTable& table, const Copies& copies) {
@@ -184,8 +185,7 @@ void Client::start_worker() {
     output_ = anonymous_file();
     channel_ = std::move(ends.first);
     Limits limits = limits_;
-    limits.cpu_seconds = static_cast<std::int32_t>(
-        std::chrono::ceil<std::chrono::seconds>(cpu_limit_).count());
+    limits.cpu_ms = static_cast<std::int32_t>(cpu_limit_.count());
     const LauncherOrder order{Order::start_worker, ++generation_, limits};
     const int passed[] = {ends.second.get(), output_.get()};
     const std::string_view bytes(reinterpret_cast<const char*>(&order),
@@ -342,6 +342,9 @@ std::optional<std::string> Client::answered_ahead(const Request& request) {
 void Client::begin_again() {
     one_by_one_ = true;
     ahead_.reset();
+    if (was_endless_)
+        limit_cpu(std::min(cpu_limit_,
+                           std::chrono::milliseconds(limits_.later_cpu_ms)));
     end_case();
     asking_ahead_ = false;
     begin_call();
@@ -551,11 +554,12 @@ void Client::worker_is_gone() {
         fail(Verdict::run_time_error,
              fmt::format("the program printed more than {} KiB",
                          limits_.output_kib));
-    if (signal == SIGXCPU ||
+    if (signal == SIGPROF || signal == SIGXCPU ||
         (signal == SIGKILL &&
-         event.cpu_us >=
-             std::chrono::microseconds(cpu_limit_).count() - 100'000))
+         event.cpu_us > std::chrono::microseconds(cpu_limit_).count())) {
+        was_endless_ = true;
         ran_out_of_time("no answer");
+    }
     if (signal == SIGKILL)
         fail(Verdict::memory_limit_exceeded,
              "the program was ended from outside: too much memory?");

@@ -65,9 +65,8 @@ public:
     /// A case begins: the next call gets a fresh worker.
     void begin_case();
 
-    /// Less CPU time for all calls of this case; before its first call. The
-    /// worker is ended at the next full second, and the case is failed
-    /// at its end when it took more.
+    /// Another limit of CPU time for all calls of this case; before its first
+    /// call.
     void limit_cpu(std::chrono::milliseconds most);
 
     /// The table is made of copies: the worker is sent these, and makes it.
@@ -170,6 +169,7 @@ private:
     std::list<SentTable> sent_;
     std::optional<Ahead> ahead_;
     bool one_by_one_ = false;    ///< asking ahead has failed once
+    bool was_endless_ = false;   ///< some worker ran out of CPU time
     bool asking_ahead_ = false;  ///< a failure now is none of the submission's
     std::optional<Request> answered_;  ///< the last call, if answered ahead
     std::uint64_t next_table_ = 1;

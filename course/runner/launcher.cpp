@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <sys/resource.h>
+#include <sys/time.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -47,7 +48,11 @@ void limit(Resource resource, rlim_t value) {
 }
 
 void set_limits(const Limits& limits) {
-    limit(RLIMIT_CPU, static_cast<rlim_t>(limits.cpu_seconds));
+    // A signal may be caught, the limit behind it may not.
+    const itimerval timer{{0, 0},
+                          {limits.cpu_ms / 1000, limits.cpu_ms % 1000 * 1000}};
+    if (::setitimer(ITIMER_PROF, &timer, nullptr) != 0) give_up();
+    limit(RLIMIT_CPU, static_cast<rlim_t>(limits.cpu_ms / 1000 + 1));
     limit(RLIMIT_FSIZE, static_cast<rlim_t>(limits.output_kib) << 10);
     limit(RLIMIT_STACK, static_cast<rlim_t>(limits.stack_mib) << 20);
     limit(RLIMIT_CORE, 0);

@@ -27,18 +27,19 @@ Assignment assignment_of(const Gradebook& gradebook) {
 int show_command(const Options& options) {
     const Gradebook gradebook(options.out / "gradebook.sqlite",
                               Gradebook::Access::read);
-    const ClassResults results =
-        class_results(gradebook, assignment_of(gradebook));
-    const StudentResults* student = find_student(results, options.student);
+    const GradedAssignment graded =
+        graded_assignment(gradebook, assignment_of(gradebook));
+    const Student* student = find_student(graded.run.students, options.student);
     if (student == nullptr) {
         std::vector<std::string> ids;
-        for (const StudentResults& s : results.students)
-            ids.push_back(s.student.id);
+        for (const Student& s : graded.run.students) ids.push_back(s.id);
         throw CannotBegin(fmt::format(
             "{} has no student \"{}\"{}", options.out.string(), options.student,
             course::did_you_mean(options.student, ids)));
     }
-    fmt::print("{}", student_text(results, *student, colour_of(STDOUT_FILENO)));
+    fmt::print(
+        "{}", student_text(graded, student_results(gradebook, graded, *student),
+                           colour_of(STDOUT_FILENO)));
     return 0;
 }
 

@@ -5,6 +5,7 @@
 #include <sqlite3.h>
 
 #include <charconv>
+#include <map>
 #include <utility>
 
 #include "course/runner/codec.h"
@@ -70,18 +71,35 @@ auto guarded(const std::string& file, Work work) {
     }
 }
 
+/// A database with the statements that were asked of it so far: to compile one
+/// takes far longer than to run it.
+struct Connection {
+    SQLite::Database sql;
+    std::map<std::string_view, SQLite::Statement> statements;
+};
+
+/// A statement with its values. When it goes, the statement is free for the
+/// next values, and nothing is held locked by it.
+struct Reset {
+    void operator()(SQLite::Statement* statement) const {
+        statement->tryReset();
+    }
+};
+using Query = std::unique_ptr<SQLite::Statement, Reset>;
+
+/// Precondition: `text` is a literal, and no query of this text is in use.
 template <class... Values>
-SQLite::Statement prepared(SQLite::Database& sql, const char* text,
-                           const Values&... values) {
-    SQLite::Statement statement(sql, text);
+Query prepared(Connection& db, const char* text, const Values&... values) {
+    const auto kept = db.statements.try_emplace(text, db.sql, text).first;
+    Query query(&kept->second);
     int position = 0;
-    (statement.bind(++position, values), ...);
-    return statement;
+    (query->bind(++position, values), ...);
+    return query;
 }
 
 template <class... Values>
-void execute(SQLite::Database& sql, const char* text, const Values&... values) {
-    prepared(sql, text, values...).exec();
+void execute(Connection& db, const char* text, const Values&... values) {
+    prepared(db, text, values...)->exec();
 }
 
 // ---- opening
@@ -115,7 +133,25 @@ void check_kind(const std::string& file, SQLite::Database& sql) {
 
 void create_tables(SQLite::Database& sql) {
     sql.exec(schema);
+    sql.exec(standing_view);
     sql.exec(fmt::format("PRAGMA application_id = {}", application_id));
+}
+
+/// Precondition: check_kind has passed.
+void bring_up_to_date(SQLite::Database& sql) {
+    if (number(sql, "PRAGMA user_version") == 1) {
+        sql.exec(from_version_1);
+        sql.exec(standing_view);
+    }
+    sql.exec(fmt::format("PRAGMA user_version = {}", schema_version));
+}
+
+void prepare_for_reading(const std::string& file, SQLite::Database& sql) {
+    check_kind(file, sql);
+    if (number(sql, "PRAGMA user_version") == schema_version) return;
+    SQLite::Transaction all(sql, SQLite::TransactionBehavior::IMMEDIATE);
+    bring_up_to_date(sql);
+    all.commit();
 }
 
 /// Two processes may come here at the same moment: the look and the creation
@@ -130,7 +166,7 @@ void prepare_for_writing(const std::string& file, SQLite::Database& sql) {
         const bool fresh = is_fresh(sql);
         if (fresh) create_tables(sql);
         if (!fresh) check_kind(file, sql);
-        sql.exec(fmt::format("PRAGMA user_version = {}", schema_version));
+        bring_up_to_date(sql);
         all.commit();
     }
     // May fail while another process uses the file: then that one has set it.
@@ -148,23 +184,23 @@ int flags(Gradebook::Access access) {
 
 // ---- runs
 
-void insert_run(SQLite::Database& sql, const Run& run) {
-    execute(sql,
-            "INSERT INTO runs (started_at, version, sandbox, seed, jobs) "
-            "VALUES (?, ?, ?, ?, ?)",
+void insert_run(Connection& db, const Run& run) {
+    execute(db,
+            "INSERT INTO runs (started_at, version, sandbox, seed, jobs, "
+            "proposed) VALUES (?, ?, ?, ?, ?, ?)",
             run.started_at, run.version, run.sandbox, std::to_string(run.seed),
-            run.jobs);
+            run.jobs, run.proposed ? 1 : 0);
 }
 
-void insert_note(SQLite::Database& sql, int run, const std::string& note) {
-    execute(sql, "INSERT INTO run_notes (run, note) VALUES (?, ?)", run, note);
+void insert_note(Connection& db, int run, const std::string& note) {
+    execute(db, "INSERT INTO run_notes (run, note) VALUES (?, ?)", run, note);
 }
 
-void insert_student(SQLite::Database& sql, int run, const Student& student) {
-    execute(sql, "INSERT INTO run_students VALUES (?, ?, ?)", run, student.id,
+void insert_student(Connection& db, int run, const Student& student) {
+    execute(db, "INSERT INTO run_students VALUES (?, ?, ?)", run, student.id,
             student.name);
     for (const std::string& note : student.notes)
-        execute(sql, "INSERT INTO run_notes VALUES (?, ?, ?)", run, student.id,
+        execute(db, "INSERT INTO run_notes VALUES (?, ?, ?)", run, student.id,
                 note);
 }
 
@@ -178,50 +214,50 @@ std::uint64_t seed_of(const std::string& file, const std::string& text) {
     return seed;
 }
 
-std::vector<std::string> notes_of(SQLite::Database& sql, int run) {
-    auto rows = prepared(sql,
+std::vector<std::string> notes_of(Connection& db, int run) {
+    auto rows = prepared(db,
                          "SELECT note FROM run_notes WHERE run = ? AND "
                          "student IS NULL ORDER BY rowid",
                          run);
     std::vector<std::string> notes;
-    while (rows.executeStep()) notes.push_back(rows.getColumn(0).getString());
+    while (rows->executeStep()) notes.push_back(rows->getColumn(0).getString());
     return notes;
 }
 
-std::vector<std::string> notes_of(SQLite::Database& sql, int run,
+std::vector<std::string> notes_of(Connection& db, int run,
                                   const std::string& student) {
-    auto rows = prepared(sql,
+    auto rows = prepared(db,
                          "SELECT note FROM run_notes WHERE run = ? AND "
                          "student = ? ORDER BY rowid",
                          run, student);
     std::vector<std::string> notes;
-    while (rows.executeStep()) notes.push_back(rows.getColumn(0).getString());
+    while (rows->executeStep()) notes.push_back(rows->getColumn(0).getString());
     return notes;
 }
 
-std::vector<Suite> suites_of(SQLite::Database& sql, int run) {
-    auto rows = prepared(sql,
+std::vector<Suite> suites_of(Connection& db, int run) {
+    auto rows = prepared(db,
                          "SELECT exercise, file, version, max FROM run_suites "
                          "WHERE run = ? ORDER BY rowid",
                          run);
     std::vector<Suite> suites;
-    while (rows.executeStep())
+    while (rows->executeStep())
         suites.push_back(
-            {rows.getColumn(0).getString(), rows.getColumn(1).getString(),
-             rows.getColumn(2).getString(), rows.getColumn(3).getDouble()});
+            {rows->getColumn(0).getString(), rows->getColumn(1).getString(),
+             rows->getColumn(2).getString(), rows->getColumn(3).getDouble()});
     return suites;
 }
 
-std::vector<Student> students_of(SQLite::Database& sql, int run) {
-    auto rows = prepared(sql,
+std::vector<Student> students_of(Connection& db, int run) {
+    auto rows = prepared(db,
                          "SELECT student, name FROM run_students "
                          "WHERE run = ? ORDER BY rowid",
                          run);
     std::vector<Student> students;
-    while (rows.executeStep()) {
+    while (rows->executeStep()) {
         Student student{
-            rows.getColumn(0).getString(), rows.getColumn(1).getString(), {}};
-        student.notes = notes_of(sql, run, student.id);
+            rows->getColumn(0).getString(), rows->getColumn(1).getString(), {}};
+        student.notes = notes_of(db, run, student.id);
         students.push_back(std::move(student));
     }
     return students;
@@ -234,63 +270,63 @@ double earned(const CaseResult& result) {
                                                        : 0.0;
 }
 
-void insert_case(SQLite::Database& sql, std::int64_t attempt, int position,
+void insert_case(Connection& db, std::int64_t attempt, int position,
                  const CaseResult& result) {
     const bool shown = result.info.visibility == course::Visibility::shown;
     auto row = prepared(
-        sql, "INSERT INTO cases VALUES (?,?,?,?,?,?,?,?,?,?)", attempt,
-        position, result.info.name, std::string(course::name(result.verdict)),
+        db, "INSERT INTO cases VALUES (?,?,?,?,?,?,?,?,?,?)", attempt, position,
+        result.info.name, std::string(course::name(result.verdict)),
         earned(result), result.info.points,
         std::string(shown ? "shown" : "hidden"), result.hint, result.printed);
     const std::string blob = course::encode(result.failures);
-    row.bind(10, blob.data(), static_cast<int>(blob.size()));
-    row.exec();
+    row->bind(10, blob.data(), static_cast<int>(blob.size()));
+    row->exec();
 }
 
-std::int64_t insert_attempt(SQLite::Database& sql, int run,
-                            const Attempt& attempt) {
+std::int64_t insert_attempt(Connection& db, int run, const Attempt& attempt) {
     const ExerciseResult& result = attempt.result;
-    execute(sql,
+    execute(db,
             "INSERT INTO attempts (run, student, exercise, key, verdict, "
             "points, max, message, finished_at) VALUES (?,?,?,?,?,?,?,?,?)",
             run, attempt.student, attempt.exercise, attempt.key,
             std::string(course::name(result.verdict)), result.points(),
             result.max(), result.message, attempt.finished_at);
-    const std::int64_t row = sql.getLastInsertRowid();
+    const std::int64_t row = db.sql.getLastInsertRowid();
     int position = 0;
     for (const CaseResult& one : result.cases)
-        insert_case(sql, row, position++, one);
+        insert_case(db, row, position++, one);
     return row;
 }
 
 /// The newest row of `counted`, as an attempt; 0 when there is none.
-std::int64_t counted_attempt(SQLite::Database& sql, const std::string& student,
+std::int64_t counted_attempt(Connection& db, const std::string& student,
                              const std::string& exercise) {
-    auto row = prepared(sql,
-                        "SELECT attempt FROM counted WHERE student = ? AND "
-                        "exercise = ? ORDER BY counted DESC LIMIT 1",
+    auto row = prepared(db,
+                        "SELECT attempt FROM counted NATURAL JOIN runs WHERE "
+                        "student = ? AND exercise = ? AND NOT proposed "
+                        "ORDER BY counted DESC LIMIT 1",
                         student, exercise);
-    return row.executeStep() ? row.getColumn(0).getInt64() : 0;
+    return row->executeStep() ? row->getColumn(0).getInt64() : 0;
 }
 
-void count(SQLite::Database& sql, int run, const std::string& student,
+void count(Connection& db, int run, const std::string& student,
            const std::string& exercise, std::int64_t attempt) {
-    execute(sql,
+    execute(db,
             "INSERT INTO counted (run, student, exercise, attempt) "
             "VALUES (?, ?, ?, ?)",
             run, student, exercise, attempt);
 }
 
-std::int64_t attempt_with_key(SQLite::Database& sql, std::string_view student,
+std::int64_t attempt_with_key(Connection& db, std::string_view student,
                               std::string_view exercise, std::string_view key) {
     auto row =
-        prepared(sql,
+        prepared(db,
                  "SELECT attempt FROM attempts WHERE student = ? AND "
                  "exercise = ? AND key = ? AND "
                  "verdict <> 'grader_fault' "
                  "ORDER BY attempt DESC LIMIT 1",
                  std::string(student), std::string(exercise), std::string(key));
-    return row.executeStep() ? row.getColumn(0).getInt64() : 0;
+    return row->executeStep() ? row->getColumn(0).getInt64() : 0;
 }
 
 course::Verdict verdict_of(const std::string& file, const std::string& name) {
@@ -316,36 +352,35 @@ CaseResult read_case(const std::string& file, SQLite::Statement& row) {
     return result;
 }
 
-std::vector<CaseResult> read_cases(const std::string& file,
-                                   SQLite::Database& sql,
+std::vector<CaseResult> read_cases(const std::string& file, Connection& db,
                                    std::int64_t attempt) {
-    auto rows = prepared(sql,
+    auto rows = prepared(db,
                          "SELECT name, verdict, max, visibility, hint, "
                          "printed, failures FROM cases WHERE attempt = ? "
                          "ORDER BY position",
                          attempt);
     std::vector<CaseResult> cases;
-    while (rows.executeStep()) cases.push_back(read_case(file, rows));
+    while (rows->executeStep()) cases.push_back(read_case(file, *rows));
     return cases;
 }
 
-Attempt read_attempt(const std::string& file, SQLite::Database& sql,
+Attempt read_attempt(const std::string& file, Connection& db,
                      std::int64_t attempt) {
-    auto row = prepared(sql,
+    auto row = prepared(db,
                         "SELECT student, exercise, key, verdict, message, "
                         "finished_at FROM attempts WHERE attempt = ?",
                         attempt);
-    if (!row.executeStep())
+    if (!row->executeStep())
         throw GradebookDamaged(fmt::format(
             "{}: attempt {} counts, but is not there", file, attempt));
     Attempt read;
-    read.student = row.getColumn(0).getString();
-    read.exercise = row.getColumn(1).getString();
-    read.key = row.getColumn(2).getString();
-    read.result.verdict = verdict_of(file, row.getColumn(3).getString());
-    read.result.message = row.getColumn(4).getString();
-    read.finished_at = row.getColumn(5).getString();
-    read.result.cases = read_cases(file, sql, attempt);
+    read.student = row->getColumn(0).getString();
+    read.exercise = row->getColumn(1).getString();
+    read.key = row->getColumn(2).getString();
+    read.result.verdict = verdict_of(file, row->getColumn(3).getString());
+    read.result.message = row->getColumn(4).getString();
+    read.finished_at = row->getColumn(5).getString();
+    read.result.cases = read_cases(file, db, attempt);
     return read;
 }
 
@@ -354,13 +389,13 @@ Attempt read_attempt(const std::string& file, SQLite::Database& sql,
 struct Gradebook::Database {
     std::string file;
     Access access;
-    SQLite::Database sql;
+    Connection db;
 
     ~Database() {
         if (access == Access::read) return;
         // Fails while another process uses the file: the last one does it.
-        sqlite3_busy_timeout(sql.getHandle(), 0);
-        sql.tryExec("PRAGMA journal_mode = DELETE");
+        sqlite3_busy_timeout(db.sql.getHandle(), 0);
+        db.sql.tryExec("PRAGMA journal_mode = DELETE");
     }
 };
 
@@ -370,8 +405,9 @@ Gradebook::Gradebook(const std::filesystem::path& file, Access access) {
         if (access == Access::write)
             prepare_for_writing(file.string(), sql);
         else
-            check_kind(file.string(), sql);
-        database_.reset(new Database{file.string(), access, std::move(sql)});
+            prepare_for_reading(file.string(), sql);
+        database_.reset(
+            new Database{file.string(), access, {std::move(sql), {}}});
     });
 }
 
@@ -381,16 +417,16 @@ Gradebook& Gradebook::operator=(Gradebook&&) noexcept = default;
 
 int Gradebook::begin_run(const Run& run) {
     return guarded(database_->file, [&] {
-        SQLite::Database& sql = database_->sql;
-        SQLite::Transaction all(sql, SQLite::TransactionBehavior::IMMEDIATE);
-        insert_run(sql, run);
-        const int row = static_cast<int>(sql.getLastInsertRowid());
+        Connection& db = database_->db;
+        SQLite::Transaction all(db.sql, SQLite::TransactionBehavior::IMMEDIATE);
+        insert_run(db, run);
+        const int row = static_cast<int>(db.sql.getLastInsertRowid());
         for (const Suite& suite : run.suites)
-            execute(sql, "INSERT INTO run_suites VALUES (?, ?, ?, ?, ?)", row,
+            execute(db, "INSERT INTO run_suites VALUES (?, ?, ?, ?, ?)", row,
                     suite.exercise, suite.file, suite.version, suite.max);
         for (const Student& student : run.students)
-            insert_student(sql, row, student);
-        for (const std::string& note : run.notes) insert_note(sql, row, note);
+            insert_student(db, row, student);
+        for (const std::string& note : run.notes) insert_note(db, row, note);
         all.commit();
         return row;
     });
@@ -398,31 +434,67 @@ int Gradebook::begin_run(const Run& run) {
 
 std::optional<Run> Gradebook::last_run() const {
     return guarded(database_->file, [&]() -> std::optional<Run> {
-        SQLite::Database& sql = database_->sql;
-        auto row = prepared(sql,
+        Connection& db = database_->db;
+        auto row = prepared(db,
                             "SELECT run, started_at, version, sandbox, seed, "
-                            "jobs FROM runs ORDER BY run DESC LIMIT 1");
-        if (!row.executeStep()) return std::nullopt;
-        const int id = row.getColumn(0).getInt();
+                            "jobs FROM runs WHERE NOT proposed "
+                            "ORDER BY run DESC LIMIT 1");
+        if (!row->executeStep()) return std::nullopt;
+        const int id = row->getColumn(0).getInt();
         Run run;
-        run.started_at = row.getColumn(1).getString();
-        run.version = row.getColumn(2).getString();
-        run.sandbox = row.getColumn(3).getString();
-        run.seed = seed_of(database_->file, row.getColumn(4).getString());
-        run.jobs = row.getColumn(5).getInt();
-        run.suites = suites_of(sql, id);
-        run.students = students_of(sql, id);
-        run.notes = notes_of(sql, id);
+        run.started_at = row->getColumn(1).getString();
+        run.version = row->getColumn(2).getString();
+        run.sandbox = row->getColumn(3).getString();
+        run.seed = seed_of(database_->file, row->getColumn(4).getString());
+        run.jobs = row->getColumn(5).getInt();
+        run.suites = suites_of(db, id);
+        run.students = students_of(db, id);
+        run.notes = notes_of(db, id);
         return run;
+    });
+}
+
+std::vector<Change> Gradebook::changes(int run) const {
+    return guarded(database_->file, [&] {
+        auto rows = prepared(
+            database_->db,
+            "SELECT n.student, n.exercise, o.verdict, o.points, n.verdict, "
+            "n.points FROM counted JOIN attempts n USING (attempt) "
+            "LEFT JOIN standing o ON o.student = n.student AND "
+            "o.exercise = n.exercise WHERE counted.run = ? AND "
+            "o.attempt IS NOT n.attempt ORDER BY n.student, n.exercise",
+            run);
+        std::vector<Change> all;
+        while (rows->executeStep()) {
+            Change one;
+            one.student = rows->getColumn(0).getString();
+            one.exercise = rows->getColumn(1).getString();
+            if (!rows->getColumn(2).isNull())
+                one.old_verdict =
+                    verdict_of(database_->file, rows->getColumn(2).getString());
+            one.old_points = rows->getColumn(3).getDouble();
+            one.verdict =
+                verdict_of(database_->file, rows->getColumn(4).getString());
+            one.points = rows->getColumn(5).getDouble();
+            all.push_back(std::move(one));
+        }
+        return all;
+    });
+}
+
+void Gradebook::accept(int run) {
+    guarded(database_->file, [&] {
+        execute(database_->db, "UPDATE runs SET proposed = 0 WHERE run = ?",
+                run);
     });
 }
 
 void Gradebook::record(int run, const Attempt& attempt) {
     guarded(database_->file, [&] {
-        SQLite::Database& sql = database_->sql;
-        SQLite::Transaction all(sql, SQLite::TransactionBehavior::IMMEDIATE);
-        const std::int64_t row = insert_attempt(sql, run, attempt);
-        count(sql, run, attempt.student, attempt.exercise, row);
+        Connection& db = database_->db;
+        SQLite::Transaction all(db.sql, SQLite::TransactionBehavior::IMMEDIATE);
+        const std::int64_t row = insert_attempt(db, run, attempt);
+        count(db, run, attempt.student, attempt.exercise, row);
         all.commit();
     });
 }
@@ -431,39 +503,52 @@ std::optional<ExerciseResult> Gradebook::find(std::string_view student,
                                               std::string_view exercise,
                                               std::string_view key) const {
     return guarded(database_->file, [&]() -> std::optional<ExerciseResult> {
-        SQLite::Database& sql = database_->sql;
-        const std::int64_t row = attempt_with_key(sql, student, exercise, key);
+        Connection& db = database_->db;
+        const std::int64_t row = attempt_with_key(db, student, exercise, key);
         if (row == 0) return std::nullopt;
-        return read_attempt(database_->file, sql, row).result;
+        return read_attempt(database_->file, db, row).result;
     });
 }
 
-std::optional<ExerciseResult> Gradebook::reuse(int run,
-                                               std::string_view student,
-                                               std::string_view exercise,
-                                               std::string_view key) {
-    auto result = find(student, exercise, key);
-    if (!result) return result;
-    guarded(database_->file, [&] {
-        SQLite::Database& sql = database_->sql;
+bool Gradebook::reuse(int run, std::string_view student,
+                      std::string_view exercise, std::string_view key) {
+    return guarded(database_->file, [&] {
+        Connection& db = database_->db;
         const std::string s(student), e(exercise);
-        const std::int64_t row = attempt_with_key(sql, s, e, key);
-        if (counted_attempt(sql, s, e) == row) return;  // as it already is
-        SQLite::Transaction all(sql, SQLite::TransactionBehavior::IMMEDIATE);
-        count(sql, run, s, e, row);
+        const std::int64_t row = attempt_with_key(db, s, e, key);
+        if (row == 0 || counted_attempt(db, s, e) == row) return row != 0;
+        SQLite::Transaction all(db.sql, SQLite::TransactionBehavior::IMMEDIATE);
+        count(db, run, s, e, row);
         all.commit();
+        return true;
     });
-    return result;
 }
 
 std::optional<Attempt> Gradebook::latest(std::string_view student,
                                          std::string_view exercise) const {
     return guarded(database_->file, [&]() -> std::optional<Attempt> {
-        SQLite::Database& sql = database_->sql;
+        Connection& db = database_->db;
         const std::int64_t row =
-            counted_attempt(sql, std::string(student), std::string(exercise));
+            counted_attempt(db, std::string(student), std::string(exercise));
         if (row == 0) return std::nullopt;
-        return read_attempt(database_->file, sql, row);
+        return read_attempt(database_->file, db, row);
+    });
+}
+
+std::vector<Attempt> Gradebook::latest(std::string_view student) const {
+    return guarded(database_->file, [&] {
+        Connection& db = database_->db;
+        // Beside max(), SQLite gives the other columns of the same row.
+        auto rows = prepared(db,
+                             "SELECT attempt, max(counted) FROM counted "
+                             "NATURAL JOIN runs WHERE student = ? AND NOT "
+                             "proposed GROUP BY exercise",
+                             std::string(student));
+        std::vector<Attempt> attempts;
+        while (rows->executeStep())
+            attempts.push_back(read_attempt(database_->file, db,
+                                            rows->getColumn(0).getInt64()));
+        return attempts;
     });
 }
 

@@ -77,6 +77,8 @@ struct Run {
     std::string sandbox;     ///< how submissions were isolated
     std::uint64_t seed = 0;
     int jobs = 1;
+    /// Whether its results only lie ready until accept() is called.
+    bool proposed = false;
     std::vector<Suite> suites;
     std::vector<Student> students;   ///< every one found, in report order
     std::vector<std::string> notes;  ///< about the folder as a whole
@@ -92,6 +94,17 @@ struct Attempt {
     std::string key;       ///< hash of all that the result depends on
     course::ExerciseResult result;
     std::string finished_at;  ///< ISO 8601, UTC
+};
+
+/// A grade that a proposed run would change.
+struct Change {
+    std::string student;   ///< Student::id
+    std::string exercise;  ///< Suite::exercise
+    /// Without a value: there is no result that counts.
+    std::optional<course::Verdict> old_verdict;
+    double old_points = 0;
+    course::Verdict verdict = course::Verdict::grader_fault;
+    double points = 0;
 };
 
 /// One open gradebook. Every change is one transaction, and rows are only ever
@@ -125,11 +138,19 @@ public:
     /// Precondition: ids of students and names of suites are unique.
     int begin_run(const Run& run);
 
-    /// The newest run, if there is one.
+    /// The newest run that is not only proposed, if there is one.
     std::optional<Run> last_run() const;
 
+    /// The results that a proposed run reached or found, where another one
+    /// counts: in the order of students and exercises.
+    std::vector<Change> changes(int run) const;
+
+    /// What a proposed run reached or found counts from now on.
+    void accept(int run);
+
     /// Adds an attempt; from now on it is the one that counts for its student
-    /// and exercise. `run` is what begin_run returned.
+    /// and exercise, unless its run is only proposed. `run` is what begin_run
+    /// returned.
     void record(int run, const Attempt& attempt);
 
     /// The newest result of this student, exercise and key that is not a
@@ -138,16 +159,17 @@ public:
                                                std::string_view exercise,
                                                std::string_view key) const;
 
-    /// As find, and the result counts again: a student who goes back to an
-    /// earlier version gets the points of that version.
-    std::optional<course::ExerciseResult> reuse(int run,
-                                                std::string_view student,
-                                                std::string_view exercise,
-                                                std::string_view key);
+    /// Whether find has a result; it counts again: a student who goes back to
+    /// an earlier version gets the points of that version.
+    bool reuse(int run, std::string_view student, std::string_view exercise,
+               std::string_view key);
 
     /// The attempt that counts for this student and exercise, if any.
     std::optional<Attempt> latest(std::string_view student,
                                   std::string_view exercise) const;
+
+    /// The attempts that count for this student, one per exercise, by its name.
+    std::vector<Attempt> latest(std::string_view student) const;
 
 private:
     struct Database;

@@ -6,7 +6,7 @@ namespace grader {
 
 /// In the file's header: how `file` and we tell a gradebook from any other.
 inline constexpr int application_id = 0x48454762;  // "HEGb"
-inline constexpr int schema_version = 1;
+inline constexpr int schema_version = 2;
 
 /// Columns named `student` hold safe ids. Times are ISO 8601 in UTC. Blobs are
 /// in the encoding of course/runner/codec.h.
@@ -17,7 +17,8 @@ CREATE TABLE runs (
     version TEXT NOT NULL,
     sandbox TEXT NOT NULL,
     seed TEXT NOT NULL,  -- text: it has 64 bits and no sign
-    jobs INTEGER NOT NULL
+    jobs INTEGER NOT NULL,
+    proposed INTEGER NOT NULL DEFAULT 0  -- 1: its results do not count yet
 );
 CREATE TABLE run_suites (
     run INTEGER NOT NULL REFERENCES runs,
@@ -74,13 +75,22 @@ CREATE TABLE counted (
     attempt INTEGER NOT NULL REFERENCES attempts
 );
 CREATE INDEX counted_by_student ON counted (student, exercise);
+)sql";
+
+inline constexpr const char* standing_view = R"sql(
 CREATE VIEW standing AS  -- for instructors: one row per student and exercise
     SELECT a.student, a.exercise, a.verdict, a.points, a.max, a.finished_at,
            a.attempt
     FROM attempts a JOIN counted c ON c.attempt = a.attempt
-    WHERE c.counted = (SELECT max(d.counted) FROM counted d
+    WHERE c.counted = (SELECT max(d.counted) FROM counted d NATURAL JOIN runs
                        WHERE d.student = a.student
-                       AND d.exercise = a.exercise);
+                       AND d.exercise = a.exercise AND NOT proposed);
+)sql";
+
+/// From version 1, which had no proposed runs.
+inline constexpr const char* from_version_1 = R"sql(
+ALTER TABLE runs ADD COLUMN proposed INTEGER NOT NULL DEFAULT 0;
+DROP VIEW standing;
 )sql";
 
 }  // namespace grader

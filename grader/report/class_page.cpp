@@ -1,10 +1,9 @@
 #include "grader/report/class_page.h"
 
-#include <algorithm>
-#include <map>
-#include <utility>
+#include <fmt/format.h>
 
-#include "course/report/explain.h"
+#include <algorithm>
+
 #include "course/report/text.h"
 #include "grader/report/page.h"
 
@@ -13,7 +12,6 @@ namespace grader {
 namespace {
 
 using course::Verdict;
-using Result = std::optional<course::ExerciseResult>;
 
 constexpr std::size_t most_columns = 22;  // of one class table
 constexpr std::size_t most_cases = 15;
@@ -25,9 +23,9 @@ std::string percent(double share) {
 // ---- numbers over the class
 
 /// Shares of the points, of all students that have a grade.
-std::vector<double> shares(const ClassResults& results) {
+std::vector<double> shares(const ClassSummary& results) {
     std::vector<double> all;
-    for (const StudentResults& student : results.students) {
+    for (const Scores& student : results.students) {
         const Total sum = total(results, student);
         if (sum.total && sum.max > 0) all.push_back(*sum.total / sum.max);
     }
@@ -51,10 +49,10 @@ std::string median_text(const std::vector<double>& sorted) {
     return course::percent_text(median, 1) + " %";
 }
 
-int students_with(const ClassResults& results, Status wanted) {
+int students_with(const ClassSummary& results, Status wanted) {
     return static_cast<int>(std::count_if(
         results.students.begin(), results.students.end(),
-        [&](const StudentResults& one) { return status(one) == wanted; }));
+        [&](const Scores& one) { return status(one) == wanted; }));
 }
 
 /// What became of one exercise over the class.
@@ -64,14 +62,14 @@ struct ExerciseCount {
     double points = 0;
 };
 
-ExerciseCount count(const ClassResults& results, std::size_t k) {
+ExerciseCount count(const ClassSummary& results, std::size_t k) {
     ExerciseCount sum;
-    for (const StudentResults& student : results.students) {
-        const Result& result = student.exercises[k];
-        if (!was_judged(result)) continue;
+    for (const Scores& student : results.students) {
+        const auto& score = student[k];
+        if (!was_judged(score)) continue;
         ++sum.judged;
-        sum.points += result->points();
-        if (result->verdict == Verdict::accepted) ++sum.accepted;
+        sum.points += score->points;
+        if (score->verdict == Verdict::accepted) ++sum.accepted;
     }
     return sum;
 }
@@ -86,7 +84,7 @@ Html number(std::string_view what, const Html& value) {
     return markup("<div><dt>{}</dt><dd>{}</dd></div>\n", what, value);
 }
 
-Html numbers(const ClassResults& results) {
+Html numbers(const ClassSummary& results) {
     const std::vector<double> all = shares(results);
     const int students = static_cast<int>(results.students.size());
     const int empty = students_with(results, Status::nothing_submitted);
@@ -103,25 +101,18 @@ Html numbers(const ClassResults& results) {
         number("median", markup("{}", median_text(all))));
 }
 
-Html one_fault(const StudentResults& student, const std::string& exercise,
-               const std::string& message) {
+Html one_fault(const ClassSummary& results, const Fault& fault) {
     return markup("<li><b><bdi>{}</bdi></b>, {}: {}</li>\n",
-                  student.student.name, short_name(exercise),
-                  course::shortened(message, 600, 6));
+                  results.run.students[fault.student].name,
+                  short_name(results.exercises[fault.exercise].exercise),
+                  fault.message);
 }
 
-Html faults(const ClassResults& results) {
-    Html list;
-    int count = 0;
-    for (const StudentResults& student : results.students)
-        for (std::size_t k = 0; k < results.exercises.size(); ++k) {
-            const Result& result = student.exercises[k];
-            if (!result || result->verdict != Verdict::grader_fault) continue;
-            ++count;
-            list += one_fault(student, results.exercises[k].exercise,
-                              result->message);
-        }
+Html faults(const ClassSummary& results) {
+    const std::size_t count = results.faults.size();
     if (count == 0) return {};
+    Html list;
+    for (const Fault& fault : results.faults) list += one_fault(results, fault);
     return markup(
         R"(<div class="alert"><b>{} ended in a fault of the grader.</b> )"
         "No grade was given for the students concerned; the next run tries "
@@ -137,7 +128,7 @@ struct Columns {
 };
 
 /// As few tables as can be printed, cut between chapters where possible.
-std::vector<Columns> tables(const ClassResults& results) {
+std::vector<Columns> tables(const ClassSummary& results) {
     const auto& all = results.exercises;
     std::vector<Columns> tables;
     std::size_t first = 0;
@@ -154,13 +145,13 @@ std::vector<Columns> tables(const ClassResults& results) {
     return tables;
 }
 
-bool begins_chapter(const ClassResults& results, Columns columns,
+bool begins_chapter(const ClassSummary& results, Columns columns,
                     std::size_t k) {
     return k == columns.first || chapter(results.exercises[k].exercise) !=
                                      chapter(results.exercises[k - 1].exercise);
 }
 
-Html chapter_row(const ClassResults& results, Columns columns) {
+Html chapter_row(const ClassSummary& results, Columns columns) {
     Html row;
     for (std::size_t k = columns.first; k < columns.last;) {
         std::size_t end = k + 1;
@@ -177,7 +168,7 @@ Html chapter_row(const ClassResults& results, Columns columns) {
         row);
 }
 
-Html head_row(const ClassResults& results, Columns columns) {
+Html head_row(const ClassSummary& results, Columns columns) {
     Html row;
     for (std::size_t k = columns.first; k < columns.last; ++k)
         row += markup(R"(<th class="up {}"><span>{}</span></th>)",
@@ -189,14 +180,14 @@ Html head_row(const ClassResults& results, Columns columns) {
                   row);
 }
 
-Html score(const Result& result) {
-    if (!result) return badge_not_judged();
-    if (!was_judged(result)) return badge(result->verdict);
-    return markup("{}<small>{}</small>", badge(result->verdict),
-                  course::points_text(result->points()));
+Html cell(const std::optional<Score>& score) {
+    if (!score) return badge_not_judged();
+    if (!was_judged(score)) return badge(score->verdict);
+    return markup("{}<small>{}</small>", badge(score->verdict),
+                  course::points_text(score->points));
 }
 
-Html total_cells(const ClassResults& results, const StudentResults& student) {
+Html total_cells(const ClassSummary& results, const Scores& student) {
     const Total sum = total(results, student);
     if (!sum.total)
         return markup(R"(<td class="n first" colspan="2">{}</td>)",
@@ -206,21 +197,22 @@ Html total_cells(const ClassResults& results, const StudentResults& student) {
                   course::percent_text(*sum.total, sum.max));
 }
 
-Html student_row(const ClassResults& results, const StudentResults& student,
+void add_student(Html& page, const ClassSummary& results, std::size_t number,
                  Columns columns) {
-    Html row =
-        markup(R"(<tr><td class="who"><a href="students/{}/feedback.html">)"
-               R"(<bdi>{}</bdi></a></td>)",
-               student.student.id, student.student.name);
+    const Student& student = results.run.students[number];
+    const Scores& scores = results.students[number];
+    append(page,
+           R"(<tr><td class="who"><a href="students/{}/feedback.html">)"
+           R"(<bdi>{}</bdi></a></td>)",
+           student.id, student.name);
     for (std::size_t k = columns.first; k < columns.last; ++k)
-        row += markup(R"(<td class="score {}">{}</td>)",
-                      begins_chapter(results, columns, k) ? "first" : "",
-                      score(student.exercises[k]));
-    row += total_cells(results, student);
-    return markup("{}</tr>\n", row);
+        append(page, R"(<td class="score {}">{}</td>)",
+               begins_chapter(results, columns, k) ? "first" : "",
+               cell(scores[k]));
+    append(page, "{}</tr>\n", total_cells(results, scores));
 }
 
-Html mean_row(const ClassResults& results, Columns columns) {
+Html mean_row(const ClassSummary& results, Columns columns) {
     Html row = markup(R"(<tr class="mean"><td>out of</td>)");
     for (std::size_t k = columns.first; k < columns.last; ++k)
         row += markup(R"(<td class="score {}">{}</td>)",
@@ -228,39 +220,37 @@ Html mean_row(const ClassResults& results, Columns columns) {
                       course::points_text(max_points(results, k)));
     return markup(R"({}<td class="n first">{}</td><td class="n">100</td></tr>)"
                   "\n",
-                  row,
-                  course::points_text(total(results, results.students[0]).max));
+                  row, course::points_text(max_total(results)));
 }
 
-Html class_table(const ClassResults& results, Columns columns) {
-    Html rows;
-    for (const StudentResults& student : results.students)
-        rows += student_row(results, student, columns);
-    return markup(R"(<table class="class">
+void add_table(Html& page, const ClassSummary& results, Columns columns) {
+    append(page, R"(<table class="class">
 <thead>
 {}{}</thead>
 <tbody>
-{}{}</tbody>
+)",
+           chapter_row(results, columns), head_row(results, columns));
+    for (std::size_t k = 0; k < results.students.size(); ++k)
+        add_student(page, results, k, columns);
+    append(page, R"({}</tbody>
 </table>
 )",
-                  chapter_row(results, columns), head_row(results, columns),
-                  rows, mean_row(results, columns));
+           mean_row(results, columns));
 }
 
-Html class_section(const ClassResults& results) {
-    Html section = markup(
-        "<h2>Students</h2>\n{}",
-        markup(R"(<p class="soft">A name leads to the student's own page. )"
-               "Under each verdict stand the points of the exercise{}</p>\n",
-               is_weighted(results)
-                   ? "; totals multiply them by the weights listed at the end."
-                   : "."));
+void add_students(Html& page, const ClassSummary& results) {
+    append(page,
+           "<h2>Students</h2>\n"
+           R"(<p class="soft">A name leads to the student's own page. )"
+           "Under each verdict stand the points of the exercise{}</p>\n",
+           is_weighted(results)
+               ? "; totals multiply them by the weights listed at the end."
+               : ".");
     if (results.students.empty())
-        return markup("{}<p>No student's folder was found.</p>\n", section);
+        return append(page, "<p>No student's folder was found.</p>\n");
     for (const Columns columns : tables(results))
-        section += class_table(results, columns);
-    section += legend();
-    return section;
+        add_table(page, results, columns);
+    page += legend();
 }
 
 // ---- the bar chart
@@ -269,7 +259,7 @@ constexpr int row_height = 26;
 constexpr int bar_left = 210;
 constexpr int bar_width = 480;
 
-Html chart_row(const ClassResults& results, std::size_t k, int y) {
+Html chart_row(const ClassSummary& results, std::size_t k, int y) {
     const ExerciseCount sum = count(results, k);
     const double share = mean_share(sum, max_points(results, k));
     const std::string text =
@@ -299,7 +289,7 @@ Html axis(int height) {
     return ticks;
 }
 
-Html chart(const ClassResults& results) {
+Html chart(const ClassSummary& results) {
     Html rows;
     int y = 0;
     for (std::size_t k = 0; k < results.exercises.size(); ++k) {
@@ -321,7 +311,7 @@ Html chart(const ClassResults& results) {
         y + 24, axis(y), rows);
 }
 
-Html chart_section(const ClassResults& results) {
+Html chart_section(const ClassSummary& results) {
     return markup(
         "<h2>Points per exercise</h2>\n"
         R"(<p class="soft">The mean share of an exercise's points, over those )"
@@ -342,7 +332,7 @@ Html case_row(const CaseCount& one) {
         one.judged);
 }
 
-Html cases_section(const ClassResults& results) {
+Html cases_section(const ClassSummary& results) {
     const std::vector<CaseCount> all = most_failed(results);
     Html rows;
     for (std::size_t k = 0; k < std::min(all.size(), most_cases); ++k)
@@ -368,32 +358,33 @@ Html cases_section(const ClassResults& results) {
 
 // ---- files and facts
 
-Html note_rows(const Html& whose, const std::vector<std::string>& notes) {
-    Html rows;
+void add_notes(Html& page, const Html& whose,
+               const std::vector<std::string>& notes) {
     for (std::size_t k = 0; k < notes.size(); ++k)
-        rows +=
-            markup("<tr><td>{}</td><td>{}</td></tr>\n", k == 0 ? whose : Html(),
-                   course::shortened(notes[k], 2000, 10));
-    return rows;
+        append(page, "<tr><td>{}</td><td>{}</td></tr>\n",
+               k == 0 ? whose : Html(), course::shortened(notes[k], 2000, 10));
 }
 
-Html files_section(const ClassResults& results) {
-    Html rows = note_rows({"the folder of the class"}, results.run.notes);
-    for (const StudentResults& one : results.students)
-        rows += note_rows(markup("<bdi>{}</bdi>", one.student.name),
-                          one.student.notes);
-    if (rows.text.empty()) return {};
-    return markup(R"(<h2>Files that were not taken</h2>
+bool has_notes(const Run& run) {
+    return !run.notes.empty() ||
+           std::any_of(run.students.begin(), run.students.end(),
+                       [](const Student& one) { return !one.notes.empty(); });
+}
+
+void add_files(Html& page, const Run& run) {
+    if (!has_notes(run)) return;
+    append(page, R"(<h2>Files that were not taken</h2>
 <table class="notes">
 <thead><tr><th>whose</th><th>file, and why</th></tr></thead>
 <tbody>
-{}</tbody>
-</table>
-)",
-                  rows);
+)");
+    add_notes(page, {"the folder of the class"}, run.notes);
+    for (const Student& one : run.students)
+        add_notes(page, markup("<bdi>{}</bdi>", one.name), one.notes);
+    append(page, "</tbody>\n</table>\n");
 }
 
-Html suite_rows(const ClassResults& results) {
+Html suite_rows(const ClassSummary& results) {
     Html rows;
     for (const GradedExercise& one : results.exercises)
         rows += markup(
@@ -406,7 +397,7 @@ Html suite_rows(const ClassResults& results) {
     return rows;
 }
 
-Html run_section(const ClassResults& results) {
+Html run_section(const ClassSummary& results) {
     const Run& run = results.run;
     return markup(R"(<h2>The run</h2>
 <table>
@@ -431,23 +422,9 @@ Html run_section(const ClassResults& results) {
 
 }  // namespace
 
-std::vector<CaseCount> most_failed(const ClassResults& results) {
-    std::map<std::pair<std::size_t, std::string>, CaseCount> cases;
-    for (const StudentResults& student : results.students)
-        for (std::size_t k = 0; k < results.exercises.size(); ++k) {
-            const Result& result = student.exercises[k];
-            if (!result || !has_run(*result)) continue;
-            for (const course::CaseResult& one : result->cases) {
-                CaseCount& sum = cases[{k, one.info.name}];
-                sum.exercise = results.exercises[k].exercise;
-                sum.name = one.info.name;
-                sum.visibility = one.info.visibility;
-                ++sum.judged;
-                if (one.verdict != Verdict::accepted) ++sum.failed;
-            }
-        }
+std::vector<CaseCount> most_failed(const ClassSummary& results) {
     std::vector<CaseCount> failed;
-    for (const auto& [place, sum] : cases)
+    for (const auto& [place, sum] : results.cases)
         if (sum.failed > 0) failed.push_back(sum);
     std::stable_sort(failed.begin(), failed.end(),
                      [](const CaseCount& a, const CaseCount& b) {
@@ -456,17 +433,22 @@ std::vector<CaseCount> most_failed(const ClassResults& results) {
     return failed;
 }
 
-Html class_page(const ClassResults& results) {
+Html class_page(const ClassSummary& results) {
     const std::string& name = results.assignment.name;
-    return page(
-        name, markup(R"(<header><p class="over">Results of the class, run of )"
-                     R"(<time>{}</time></p>
+    Html page = begin_page(name);
+    append(page,
+           R"(<header><p class="over">Results of the class, run of )"
+           R"(<time>{}</time></p>
 <h1>{}</h1></header>
-{}{}{}{}{}{}{})",
-                     course::time_text(results.run.started_at), name,
-                     faults(results), numbers(results), class_section(results),
-                     chart_section(results), cases_section(results),
-                     files_section(results), run_section(results)));
+{}{})",
+           course::time_text(results.run.started_at), name, faults(results),
+           numbers(results));
+    add_students(page, results);
+    append(page, "{}{}", chart_section(results), cases_section(results));
+    add_files(page, results.run);
+    page += run_section(results);
+    end_page(page);
+    return page;
 }
 
 }  // namespace grader

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
+#include <utility>
 
 namespace grader {
 
@@ -17,39 +19,53 @@ Suite suite_of(const Run& run, const std::string& exercise) {
     return {exercise, std::string(short_name(exercise)), "", 0};
 }
 
-StudentResults results_of(const Gradebook& gradebook,
-                          const Assignment& assignment,
-                          const Student& student) {
-    StudentResults results{student, {}};
-    for (const Assignment::Item& item : assignment.exercises) {
-        auto attempt = gradebook.latest(student.id, item.exercise);
-        results.exercises.push_back(
-            attempt ? std::optional(std::move(attempt->result)) : std::nullopt);
-    }
-    return results;
+bool is_fault(const std::optional<Score>& score) {
+    return score && score->verdict == Verdict::grader_fault;
 }
 
-bool is_fault(const std::optional<ExerciseResult>& result) {
-    return result && result->verdict == Verdict::grader_fault;
-}
-
-bool is_missing(const std::optional<ExerciseResult>& result) {
-    return result && result->verdict == Verdict::not_submitted;
+bool is_missing(const std::optional<Score>& score) {
+    return score && score->verdict == Verdict::not_submitted;
 }
 
 }  // namespace
 
-ClassResults class_results(const Gradebook& gradebook,
-                           const Assignment& assignment) {
-    ClassResults results;
-    results.assignment = assignment;
-    results.run = gradebook.last_run().value_or(Run());
+GradedAssignment graded_assignment(const Gradebook& gradebook,
+                                   const Assignment& assignment) {
+    GradedAssignment graded;
+    graded.assignment = assignment;
+    graded.run = gradebook.last_run().value_or(Run());
     for (const Assignment::Item& item : assignment.exercises)
-        results.exercises.push_back(
-            {item.exercise, item.weight, suite_of(results.run, item.exercise)});
-    for (const Student& student : results.run.students)
-        results.students.push_back(results_of(gradebook, assignment, student));
+        graded.exercises.push_back(
+            {item.exercise, item.weight, suite_of(graded.run, item.exercise)});
+    return graded;
+}
+
+StudentResults student_results(const Gradebook& gradebook,
+                               const GradedAssignment& graded,
+                               const Student& student) {
+    std::map<std::string, ExerciseResult> latest;
+    for (Attempt& attempt : gradebook.latest(student.id))
+        latest[attempt.exercise] = std::move(attempt.result);
+    StudentResults results{student, {}};
+    for (const GradedExercise& one : graded.exercises) {
+        const auto found = latest.find(one.exercise);
+        results.exercises.emplace_back();
+        if (found != latest.end())
+            results.exercises.back() = std::move(found->second);
+    }
     return results;
+}
+
+std::optional<Score> score_of(const std::optional<ExerciseResult>& result) {
+    if (!result) return std::nullopt;
+    return Score{result->verdict, result->points()};
+}
+
+Scores scores_of(const StudentResults& student) {
+    Scores scores;
+    for (const auto& result : student.exercises)
+        scores.push_back(score_of(result));
+    return scores;
 }
 
 std::string_view words(Status status) {
@@ -59,58 +75,61 @@ std::string_view words(Status status) {
     return all.at(static_cast<std::size_t>(status));
 }
 
-Status status(const StudentResults& student) {
-    const auto& all = student.exercises;
-    if (std::any_of(all.begin(), all.end(), is_fault))
+Status status(const Scores& student) {
+    if (std::any_of(student.begin(), student.end(), is_fault))
         return Status::grader_fault;
-    if (!std::all_of(all.begin(), all.end(),
-                     [](const auto& result) { return result.has_value(); }))
+    if (!std::all_of(student.begin(), student.end(),
+                     [](const auto& score) { return score.has_value(); }))
         return Status::not_judged;
-    if (std::all_of(all.begin(), all.end(), is_missing))
+    if (std::all_of(student.begin(), student.end(), is_missing))
         return Status::nothing_submitted;
-    if (std::any_of(all.begin(), all.end(), is_missing)) return Status::partial;
+    if (std::any_of(student.begin(), student.end(), is_missing))
+        return Status::partial;
     return Status::complete;
 }
 
-Total total(const ClassResults& results, const StudentResults& student) {
-    Total sum;
-    double sum_of_points = 0;
-    for (std::size_t k = 0; k < results.exercises.size(); ++k) {
-        const double weight = results.exercises[k].weight;
-        sum.max += weight * max_points(results, k);
-        sum_of_points += weight * points(student.exercises[k]).value_or(0);
-    }
+Total total(const GradedAssignment& graded, const Scores& student) {
+    double sum = 0;
+    for (std::size_t k = 0; k < graded.exercises.size(); ++k)
+        sum += graded.exercises[k].weight * points(student[k]).value_or(0);
     const Status now = status(student);
-    if (now != Status::grader_fault && now != Status::not_judged)
-        sum.total = sum_of_points;
+    const bool is_grade =
+        now != Status::grader_fault && now != Status::not_judged;
+    return {is_grade ? std::optional(sum) : std::nullopt, max_total(graded)};
+}
+
+double max_total(const GradedAssignment& graded) {
+    double sum = 0;
+    for (const GradedExercise& one : graded.exercises)
+        sum += one.weight * one.suite.max;
     return sum;
 }
 
-double max_points(const ClassResults& results, std::size_t exercise) {
-    return results.exercises[exercise].suite.max;
+double max_points(const GradedAssignment& graded, std::size_t exercise) {
+    return graded.exercises[exercise].suite.max;
 }
 
-std::optional<double> points(const std::optional<ExerciseResult>& result) {
-    if (!result || is_fault(result)) return std::nullopt;
-    return result->points();
+std::optional<double> points(const std::optional<Score>& score) {
+    if (!score || is_fault(score)) return std::nullopt;
+    return score->points;
 }
 
-bool is_weighted(const ClassResults& results) {
+bool is_weighted(const GradedAssignment& graded) {
     return std::any_of(
-        results.exercises.begin(), results.exercises.end(),
+        graded.exercises.begin(), graded.exercises.end(),
         [](const GradedExercise& one) { return one.weight != 1; });
 }
 
-bool was_judged(const std::optional<ExerciseResult>& result) {
-    return result && !is_fault(result) && !is_missing(result);
+bool was_judged(const std::optional<Score>& score) {
+    return score && !is_fault(score) && !is_missing(score);
 }
 
-const StudentResults* find_student(const ClassResults& results,
-                                   std::string_view id_or_name) {
-    for (const StudentResults& one : results.students)
-        if (one.student.id == id_or_name) return &one;
-    for (const StudentResults& one : results.students)
-        if (one.student.name == id_or_name) return &one;
+const Student* find_student(const std::vector<Student>& students,
+                            std::string_view id_or_name) {
+    for (const Student& one : students)
+        if (one.id == id_or_name) return &one;
+    for (const Student& one : students)
+        if (one.name == id_or_name) return &one;
     return nullptr;
 }
 
@@ -118,6 +137,19 @@ std::string_view mark(Verdict verdict) {
     constexpr std::array<std::string_view, 9> marks = {
         "ok", "WA", "RE", "ML", "TL", "CE", "FO", "--", "!!"};
     return marks.at(static_cast<std::size_t>(verdict));
+}
+
+ClassResults class_results(const Gradebook& gradebook,
+                           const Assignment& assignment) {
+    ClassResults results{graded_assignment(gradebook, assignment), {}};
+    for (const Student& student : results.run.students)
+        results.students.push_back(
+            student_results(gradebook, results, student));
+    return results;
+}
+
+bool was_judged(const std::optional<ExerciseResult>& result) {
+    return was_judged(score_of(result));
 }
 
 }  // namespace grader

@@ -12,13 +12,6 @@
 
 namespace grader {
 
-/// One student: the exercises are those of the assignment, in its order.
-struct StudentResults {
-    Student student;
-    /// Without a value: not judged yet, as after a run that was cut short.
-    std::vector<std::optional<course::ExerciseResult>> exercises;
-};
-
 /// One exercise of the assignment.
 struct GradedExercise {
     std::string exercise;  ///< "01_traversal/face_sides"
@@ -26,18 +19,42 @@ struct GradedExercise {
     Suite suite;
 };
 
-struct ClassResults {
+/// What all students' results have in common.
+struct GradedAssignment {
     Assignment assignment;
     std::vector<GradedExercise> exercises;
-    std::vector<StudentResults> students;  ///< in the order of the run
-    Run run;                               ///< the newest one
+    Run run;  ///< the newest one, with its students; empty when there is none
 };
 
-/// The students of the newest run and, for each exercise of the assignment,
-/// the result that counts. Without a run there are no students.
-/// Throws GradebookError.
-ClassResults class_results(const Gradebook& gradebook,
-                           const Assignment& assignment);
+/// The assignment as the newest run graded it. Throws GradebookError.
+GradedAssignment graded_assignment(const Gradebook& gradebook,
+                                   const Assignment& assignment);
+
+/// One student: the exercises are those of the assignment, in its order. With
+/// meshes and printed texts this may be megabytes: have one at a time.
+struct StudentResults {
+    Student student;
+    /// Without a value: not judged yet, as after a run that was cut short.
+    std::vector<std::optional<course::ExerciseResult>> exercises;
+};
+
+/// For each exercise the result that counts. Throws GradebookError.
+StudentResults student_results(const Gradebook& gradebook,
+                               const GradedAssignment& graded,
+                               const Student& student);
+
+/// What a grade is made of; all that tables of a class take of a result.
+struct Score {
+    course::Verdict verdict = course::Verdict::grader_fault;
+    double points = 0;
+};
+
+/// The scores of one student, as StudentResults::exercises.
+using Scores = std::vector<std::optional<Score>>;
+
+std::optional<Score> score_of(
+    const std::optional<course::ExerciseResult>& result);
+Scores scores_of(const StudentResults& student);
 
 /// How far a student's grade has come, by the first of these that holds.
 enum class Status {
@@ -51,7 +68,7 @@ enum class Status {
 /// "grader fault", "not judged", "nothing submitted", "partial", "complete".
 std::string_view words(Status status);
 
-Status status(const StudentResults& student);
+Status status(const Scores& student);
 
 /// Weighted points. `total` has no value where there is no grade: a fault of
 /// ours must never be read as a low grade.
@@ -60,25 +77,37 @@ struct Total {
     double max = 0;
 };
 
-Total total(const ClassResults& results, const StudentResults& student);
+Total total(const GradedAssignment& graded, const Scores& student);
+
+/// Weighted points that every student could have reached.
+double max_total(const GradedAssignment& graded);
 
 /// Points of one exercise that every student could have reached.
-double max_points(const ClassResults& results, std::size_t exercise);
+double max_points(const GradedAssignment& graded, std::size_t exercise);
 
 /// The points of a result; none when there is no result, or a fault.
-std::optional<double> points(const std::optional<course::ExerciseResult>&);
+std::optional<double> points(const std::optional<Score>& score);
 
 /// Whether some weight is not 1.
-bool is_weighted(const ClassResults& results);
+bool is_weighted(const GradedAssignment& graded);
 
 /// Whether a file of the exercise was handed in and judged.
-bool was_judged(const std::optional<course::ExerciseResult>& result);
+bool was_judged(const std::optional<Score>& score);
 
 /// The student of that id or, if there is none, of that folder name.
-const StudentResults* find_student(const ClassResults& results,
-                                   std::string_view id_or_name);
+const Student* find_student(const std::vector<Student>& students,
+                            std::string_view id_or_name);
 
 /// "ok", "WA", "RE": a verdict in two letters, for narrow tables.
 std::string_view mark(course::Verdict verdict);
+
+/// The whole class in memory: for tests, which have small ones.
+struct ClassResults : GradedAssignment {
+    std::vector<StudentResults> students;  ///< in the order of the run
+};
+
+ClassResults class_results(const Gradebook& gradebook,
+                           const Assignment& assignment);
+bool was_judged(const std::optional<course::ExerciseResult>& result);
 
 }  // namespace grader

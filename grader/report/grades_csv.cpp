@@ -7,31 +7,32 @@ namespace grader {
 
 namespace {
 
-std::string cell(const std::optional<course::ExerciseResult>& result) {
-    const auto value = points(result);
+std::string cell(const std::optional<Score>& score) {
+    const auto value = points(score);
     return value ? course::points_text(*value) : "";
 }
 
-std::string line(const ClassResults& results, const StudentResults& student) {
-    const Total sum = total(results, student);
-    std::string text = escape_csv(student.student.name);
+std::string line(const ClassSummary& results, std::size_t student) {
+    const Scores& scores = results.students[student];
+    const Total sum = total(results, scores);
+    std::string text = escape_csv(results.run.students[student].name);
     text += "," + (sum.total ? course::points_text(*sum.total) : "");
     text += "," + course::points_text(sum.max);
     text += "," + (sum.total ? course::percent_text(*sum.total, sum.max) : "");
-    text += "," + std::string(words(status(student)));
-    for (const auto& result : student.exercises) text += "," + cell(result);
+    text += "," + std::string(words(status(scores)));
+    for (const auto& score : scores) text += "," + cell(score);
     return text + "\n";
 }
 
 }  // namespace
 
-std::string grades_csv(const ClassResults& results) {
+std::string grades_csv(const ClassSummary& results) {
     std::string text = "student,total,max,percent,status";
     for (const GradedExercise& one : results.exercises)
         text += "," + escape_csv(short_name(one.exercise));
     text += "\n";
-    for (const StudentResults& student : results.students)
-        text += line(results, student);
+    for (std::size_t k = 0; k < results.students.size(); ++k)
+        text += line(results, k);
     return text;
 }
 

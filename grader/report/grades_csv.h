@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "grader/report/class_results.h"
+#include "grader/report/class_summary.h"
 
 namespace grader {
 
@@ -20,6 +20,6 @@ namespace grader {
 ///   complete           every exercise was handed in and judged
 /// In the first two, total, percent and the exercises without a result are
 /// empty: a spreadsheet must not take them for a grade of zero.
-std::string grades_csv(const ClassResults& results);
+std::string grades_csv(const ClassSummary& results);
 
 }  // namespace grader

@@ -19,17 +19,20 @@ using course::CaseResult;
 using course::ExerciseResult;
 using course::Verdict;
 
-enum class Scores { with, without };
+/// Without a grade nothing has a score, so that none can be taken for one.
+enum class Grade { given, none };
 
-void add_score(Json& test, double score, double max, Scores scores) {
-    if (scores == Scores::without) return;
+void add_score(Json& test, double score, double max, Grade grade) {
+    if (grade == Grade::none) return;
     test["score"] = score;
     test["max_score"] = max;
 }
 
 Json test(const std::string& name, const std::string& number, Verdict verdict,
           const std::string& output) {
-    Json one;
+    Json one = Json::object();
+    // Else each new member would copy those before it.
+    one.get_ref<Json::object_t&>().reserve(10);
     one["name"] = escape_json(name);
     one["name_format"] = "text";
     one["number"] = number;
@@ -42,7 +45,7 @@ Json test(const std::string& name, const std::string& number, Verdict verdict,
 }
 
 Json case_test(const GradedExercise& exercise, const CaseResult& result,
-               const std::string& number, Scores scores) {
+               const std::string& number, Grade grade) {
     const std::string name(short_name(exercise.exercise));
     std::string output;
     if (result.verdict != Verdict::accepted)
@@ -51,7 +54,7 @@ Json case_test(const GradedExercise& exercise, const CaseResult& result,
     Json one =
         test(name + ": " + result.info.name, number, result.verdict, output);
     add_score(one, exercise.weight * earned(result),
-              exercise.weight * result.info.points, scores);
+              exercise.weight * result.info.points, grade);
     return one;
 }
 
@@ -66,48 +69,49 @@ Json file_test(const GradedExercise& exercise, const ExerciseResult& result,
                 output);
 }
 
-void add_exercise(Json& tests, const ClassResults& results,
-                  const StudentResults& student, std::size_t k, Scores scores) {
+void add_exercise(Json& tests, const GradedAssignment& graded,
+                  const StudentResults& student, std::size_t k, Grade grade) {
     if (!student.exercises[k]) return;
-    const GradedExercise& exercise = results.exercises[k];
+    const GradedExercise& exercise = graded.exercises[k];
     const ExerciseResult shown =
-        for_student(*student.exercises[k], results.assignment.hidden_feedback);
+        for_student(*student.exercises[k], graded.assignment.hidden_feedback);
     const std::string number = std::to_string(k + 1);
     if (shown.cases.empty() || !shown.message.empty()) {
         Json file = file_test(exercise, shown, number);
         if (shown.cases.empty())  // otherwise they have the points
-            add_score(file, 0, exercise.weight * exercise.suite.max, scores);
+            add_score(file, 0, exercise.weight * exercise.suite.max, grade);
         tests.push_back(std::move(file));
     }
     for (std::size_t c = 0; c < shown.cases.size(); ++c)
         tests.push_back(case_test(exercise, shown.cases[c],
-                                  fmt::format("{}.{}", number, c + 1), scores));
+                                  fmt::format("{}.{}", number, c + 1), grade));
 }
 
-std::string output_text(const StudentResults& student) {
-    std::string text = "Status: " + std::string(words(status(student)));
+std::string output_text(const StudentResults& student, Status now) {
+    std::string text = "Status: " + std::string(words(now));
     for (const std::string& note : student.student.notes) text += "\n" + note;
     return text;
 }
 
 }  // namespace
 
-std::string gradescope_json(const ClassResults& results,
+std::string gradescope_json(const GradedAssignment& graded,
                             const StudentResults& student) {
-    const Total sum = total(results, student);
-    const Scores scores = sum.total ? Scores::with : Scores::without;
+    const Scores scores = scores_of(student);
+    const Total sum = total(graded, scores);
+    const Grade grade = sum.total ? Grade::given : Grade::none;
     Json all;
     if (sum.total) all["score"] = *sum.total;
-    all["output"] = escape_json(output_text(student));
+    all["output"] = escape_json(output_text(student, status(scores)));
     all["output_format"] = "text";
     all["visibility"] = "visible";
     all["stdout_visibility"] = "hidden";
     all["tests"] = Json::array();
-    for (std::size_t k = 0; k < results.exercises.size(); ++k)
-        add_exercise(all["tests"], results, student, k, scores);
-    all["extra_data"] = {{"assignment", escape_json(results.assignment.name)},
+    for (std::size_t k = 0; k < graded.exercises.size(); ++k)
+        add_exercise(all["tests"], graded, student, k, grade);
+    all["extra_data"] = {{"assignment", escape_json(graded.assignment.name)},
                          {"student", escape_json(student.student.name)},
-                         {"status", words(status(student))},
+                         {"status", words(status(scores))},
                          {"max", sum.max}};
     return all.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -11,7 +11,7 @@ namespace grader {
 /// its weighted points. Hidden cases show what the feedback level allows.
 /// Without a grade (a grader fault, a result still to come) there is no score
 /// at all, so that none can be taken for one.
-std::string gradescope_json(const ClassResults& results,
+std::string gradescope_json(const GradedAssignment& graded,
                             const StudentResults& student);
 
 }  // namespace grader

@@ -90,15 +90,15 @@ std::string suite_xml(const GradedExercise& exercise,
 
 }  // namespace
 
-std::string junit_xml(const ClassResults& results,
+std::string junit_xml(const GradedAssignment& graded,
                       const StudentResults& student) {
     std::string text =
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n";
-    for (std::size_t k = 0; k < results.exercises.size(); ++k)
+    for (std::size_t k = 0; k < graded.exercises.size(); ++k)
         if (const auto& result = student.exercises[k])
             text += suite_xml(
-                results.exercises[k],
-                for_student(*result, results.assignment.hidden_feedback));
+                graded.exercises[k],
+                for_student(*result, graded.assignment.hidden_feedback));
     return text + "</testsuites>\n";
 }
 

@@ -11,7 +11,7 @@ namespace grader {
 /// suite; wrong answers are failures, everything else that is not accepted is
 /// an error, what was not handed in is skipped. Times are not measured: 0.
 /// Hidden cases show what the feedback level allows.
-std::string junit_xml(const ClassResults& results,
+std::string junit_xml(const GradedAssignment& graded,
                       const StudentResults& student);
 
 }  // namespace grader

@@ -112,10 +112,17 @@ class Drawing {
 public:
     Drawing(const Rows& rows, Layout layout, const course::Walk& walk)
         : rows_(rows),
+          vertex_count_(vertex_count(rows)),
           layout_(std::move(layout)),
           order_(course::walk_order(walk)) {}
 
     Html draw(std::string_view name) {
+        append(out_,
+               R"(<svg class="mesh" viewBox="0 0 {:.0f} {:.0f}" )"
+               R"(width="{:.0f}" height="{:.0f}" role="img" )"
+               R"(aria-label="Mesh {} with {} half-edges">)",
+               layout_.width, layout_.height, layout_.width, layout_.height,
+               name, rows_.size());
         faces();
         edges();
         // What the walk came to lies on top.
@@ -124,11 +131,8 @@ public:
         for (int i = 0; i < size(); ++i)
             if (order_.contains(i)) arrow(i);
         vertices();
-        return markup(R"(<svg class="mesh" viewBox="0 0 {:.0f} {:.0f}" )"
-                      R"(width="{:.0f}" height="{:.0f}" role="img" )"
-                      R"(aria-label="Mesh {} with {} half-edges">{}</svg>)",
-                      layout_.width, layout_.height, layout_.width,
-                      layout_.height, name, rows_.size(), out_);
+        append(out_, "</svg>");
+        return std::move(out_);
     }
 
 private:
@@ -139,7 +143,7 @@ private:
     bool is_row(int i) const { return i >= 0 && i < size(); }
 
     std::optional<Point> vertex(int v) const {
-        if (v < 0 || v >= vertex_count(rows_)) return std::nullopt;
+        if (v < 0 || v >= vertex_count_) return std::nullopt;
         return layout_.at[static_cast<std::size_t>(v)];
     }
     std::optional<Point> start(int i) const { return vertex(row(i).vi); }
@@ -177,7 +181,7 @@ private:
                 outlines[row(i).fi] = corners(i);
         for (const auto& [f, points] : outlines)
             if (points.size() >= 3 && !is_behind(points))
-                out_ += polygon(points, "face");
+                polygon(points, "face");
         for (const auto& [f, points] : outlines)
             if (points.size() >= 3) face_name(f, points);
     }
@@ -193,9 +197,9 @@ private:
             middle = middle + 1 / static_cast<double>(points.size()) * p;
         while (taken(middle)) middle.y += 15;
         face_labels_.push_back(middle);
-        out_ += markup(R"(<text class="{}" x="{:.1f}" y="{:.1f}">F{}</text>)",
-                       is_behind(points) ? "face-label behind" : "face-label",
-                       middle.x, middle.y + 4, f);
+        append(out_, R"(<text class="{}" x="{:.1f}" y="{:.1f}">F{}</text>)",
+               is_behind(points) ? "face-label behind" : "face-label", middle.x,
+               middle.y + 4, f);
     }
 
     bool taken(Point p) const {
@@ -203,24 +207,24 @@ private:
                            [&](Point other) { return length(other - p) < 14; });
     }
 
-    static Html polygon(const std::vector<Point>& points,
-                        std::string_view style) {
-        Html list;
-        for (const Point p : points) list += markup("{:.1f},{:.1f} ", p.x, p.y);
-        list.text.pop_back();
-        return markup(R"(<polygon class="{}" points="{}"/>)", style, list);
+    void polygon(const std::vector<Point>& points, std::string_view style) {
+        append(out_, R"(<polygon class="{}" points=")", style);
+        for (const Point p : points) append(out_, "{:.1f},{:.1f} ", p.x, p.y);
+        out_.text.back() = '"';
+        append(out_, "/>");
     }
 
     void edges() {
         for (int i = 0; i < size(); ++i)
             if (start(i) && tip(i) && i < row(i).opp)
-                out_ += line("edge", *start(i), *tip(i));
+                line("edge", *start(i), *tip(i));
     }
 
-    static Html line(std::string_view style, Point a, Point b) {
-        return markup(R"(<line class="{}" x1="{:.1f}" y1="{:.1f}" )"
-                      R"(x2="{:.1f}" y2="{:.1f}"/>)",
-                      style, a.x, a.y, b.x, b.y);
+    void line(std::string_view style, Point a, Point b) {
+        append(out_,
+               R"(<line class="{}" x1="{:.1f}" y1="{:.1f}" )"
+               R"(x2="{:.1f}" y2="{:.1f}"/>)",
+               style, a.x, a.y, b.x, b.y);
     }
 
     /// The arrow of half-edge i lies to the left of its edge, in its face.
@@ -235,10 +239,9 @@ private:
         const Point from = *start(i) + gap * along + arrow_offset * left;
         const Point to = *tip(i) - gap * along + arrow_offset * left;
         const std::string style = arrow_style(i);
-        out_ += line(style, from, to - 6 * along);
-        out_ +=
-            polygon({to, to - 9 * along + 4 * left, to - 9 * along - 4 * left},
-                    "head " + style);
+        line(style, from, to - 6 * along);
+        polygon({to, to - 9 * along + 4 * left, to - 9 * along - 4 * left},
+                "head " + style);
         label(i, from + label_place * (to - from) + label_offset * left);
     }
 
@@ -251,13 +254,13 @@ private:
         const auto walked = order_.find(i);
         const bool is_walked = walked != order_.end();
         const double half = i > 9 ? 10 : 8;
-        out_ += markup(R"(<rect class="{}" x="{:.1f}" y="{:.1f}" )"
-                       R"(width="{:.0f}" height="15" rx="4"/>)"
-                       R"(<text class="{}" x="{:.1f}" y="{:.1f}">{}</text>)",
-                       is_walked ? "number walked" : "number", at.x - half,
-                       at.y - 7.5, 2 * half,
-                       is_walked ? "number-text walked" : "number-text", at.x,
-                       at.y + 4, i);
+        append(out_,
+               R"(<rect class="{}" x="{:.1f}" y="{:.1f}" )"
+               R"(width="{:.0f}" height="15" rx="4"/>)"
+               R"(<text class="{}" x="{:.1f}" y="{:.1f}">{}</text>)",
+               is_walked ? "number walked" : "number", at.x - half, at.y - 7.5,
+               2 * half, is_walked ? "number-text walked" : "number-text", at.x,
+               at.y + 4, i);
         if (is_walked && !walked->second.empty())
             badge(walked->second, {at.x + half, at.y - 9});
     }
@@ -265,12 +268,12 @@ private:
     /// The step at which the walk came here.
     void badge(const std::string& order, Point at) {
         const double wide = 6.0 * static_cast<double>(order.size()) + 7;
-        out_ += markup(R"(<rect class="step" x="{:.1f}" y="{:.1f}" )"
-                       R"(width="{:.0f}" height="13" rx="6"/>)"
-                       R"(<text class="step-text" x="{:.1f}" y="{:.1f}">{})"
-                       R"(</text>)",
-                       at.x - 5, at.y - 7, wide, at.x - 5 + wide / 2, at.y + 3,
-                       order);
+        append(out_,
+               R"(<rect class="step" x="{:.1f}" y="{:.1f}" )"
+               R"(width="{:.0f}" height="13" rx="6"/>)"
+               R"(<text class="step-text" x="{:.1f}" y="{:.1f}">{})"
+               R"(</text>)",
+               at.x - 5, at.y - 7, wide, at.x - 5 + wide / 2, at.y + 3, order);
     }
 
     void vertices() {
@@ -279,15 +282,17 @@ private:
             if (start(i)) used.insert(row(i).vi);
         for (const int v : used) {
             const Point p = *vertex(v);
-            out_ += markup(R"(<circle class="vertex" cx="{:.1f}" )"
-                           R"(cy="{:.1f}" r="{:.0f}"/><text )"
-                           R"(class="vertex-text" x="{:.1f}" y="{:.1f}">)"
-                           R"(V{}</text>)",
-                           p.x, p.y, vertex_radius, p.x, p.y + 3.5, v);
+            append(out_,
+                   R"(<circle class="vertex" cx="{:.1f}" )"
+                   R"(cy="{:.1f}" r="{:.0f}"/><text )"
+                   R"(class="vertex-text" x="{:.1f}" y="{:.1f}">)"
+                   R"(V{}</text>)",
+                   p.x, p.y, vertex_radius, p.x, p.y + 3.5, v);
         }
     }
 
     const Rows& rows_;
+    const int vertex_count_;
     const Layout layout_;
     const std::map<int, std::string> order_;
     std::vector<Point> face_labels_;

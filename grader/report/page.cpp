@@ -194,7 +194,7 @@ std::string_view kind(Verdict verdict) {
 
 }  // namespace
 
-Html page(std::string_view title, const Html& body) {
+Html begin_page(std::string_view title) {
     return markup(
         R"(<!DOCTYPE html>
 <html lang="en">
@@ -207,10 +207,12 @@ Html page(std::string_view title, const Html& body) {
 <style>{}</style>
 </head>
 <body>
-{}</body>
-</html>
 )",
-        title, Html{std::string(style)}, body);
+        title, Html{std::string(style)});
+}
+
+void end_page(Html& page) {
+    append(page, "</body>\n</html>\n");
 }
 
 Html badge(Verdict verdict) {

@@ -9,8 +9,10 @@
 
 namespace grader {
 
-/// A whole page. `title` is for the browser's tab.
-Html page(std::string_view title, const Html& body);
+/// A page up to its content. `title` is for the browser's tab.
+Html begin_page(std::string_view title);
+
+void end_page(Html& page);
 
 /// The mark of a verdict: two letters with a frame; colour only adds to them.
 Html badge(course::Verdict verdict);

@@ -44,29 +44,30 @@ std::string caption(const course::MeshPicture& mesh, const course::Walk& walk) {
     return text;
 }
 
-Html figure(const course::MeshPicture& mesh, const Html& drawing,
-            const course::Walk& walk) {
-    if (drawing.text.empty()) return {};
-    return markup("<figure>{}<figcaption>{}</figcaption></figure>\n", drawing,
-                  caption(mesh, walk));
+void add_figure(Html& page, const course::MeshPicture& mesh,
+                const Html& drawing, const course::Walk& walk) {
+    if (drawing.text.empty()) return;
+    append(page, "<figure>{}<figcaption>{}</figcaption></figure>\n", drawing,
+           caption(mesh, walk));
 }
 
-Html failure_block(const Failure& failure) {
+void add_failure(Html& page, const Failure& failure) {
     const course::Walk walk = course::walk_of(failure);
     const Html drawing = mesh_drawing(failure.mesh, walk);
-    return markup(
-        R"(<div class="failure">
+    append(page,
+           R"(<div class="failure">
 <dl>
 {}{}{}{}{}{}{}</dl>
-{}</div>
 )",
-        entry("call", "mono", failure.call),
-        entry("expected", "mono", failure.expected),
-        entry("got", "mono got", failure.got),
-        entry("on mesh", "", mesh_entry(failure.mesh, drawing)),
-        entry("walk", "mono", walk_text(walk)),
-        entry("from lines", "mono", lines_of(failure)),
-        entry("note", "", failure.note), figure(failure.mesh, drawing, walk));
+           entry("call", "mono", failure.call),
+           entry("expected", "mono", failure.expected),
+           entry("got", "mono got", failure.got),
+           entry("on mesh", "", mesh_entry(failure.mesh, drawing)),
+           entry("walk", "mono", walk_text(walk)),
+           entry("from lines", "mono", lines_of(failure)),
+           entry("note", "", failure.note));
+    add_figure(page, failure.mesh, drawing, walk);
+    append(page, "</div>\n");
 }
 
 // ---- one case
@@ -78,36 +79,36 @@ Html printed_block(const std::string& printed) {
                   course::shortened(printed, 2000, 30));
 }
 
-Html detail(const CaseResult& result) {
-    Html text;
+void add_detail(Html& page, const CaseResult& result) {
+    if (result.hint.empty() && result.failures.empty() &&
+        result.printed.empty())
+        return;
+    append(page, "<div class=\"detail\">\n");
     if (!result.hint.empty())
-        text += markup(R"(<p class="hint"><b>Hint:</b> {}</p>)"
-                       "\n",
-                       course::shortened(result.hint, 1200, 16));
-    for (const Failure& failure : result.failures)
-        text += failure_block(failure);
-    text += printed_block(result.printed);
-    if (text.text.empty()) return {};
-    return markup(R"(<div class="detail">)"
-                  "\n{}</div>\n",
-                  text);
+        append(page,
+               R"(<p class="hint"><b>Hint:</b> {}</p>)"
+               "\n",
+               course::shortened(result.hint, 1200, 16));
+    for (const Failure& failure : result.failures) add_failure(page, failure);
+    append(page, "{}</div>\n", printed_block(result.printed));
 }
 
-Html case_item(const CaseResult& result) {
+void add_case(Html& page, const CaseResult& result) {
     const bool passed = result.verdict == Verdict::accepted;
     const bool hidden = result.info.visibility == course::Visibility::hidden;
-    return markup(R"(<li>{}<div>{}{}{}</div><div class="n">{} of {}</div>)"
-                  "\n{}</li>\n",
-                  badge(result.verdict), result.info.name,
-                  passed ? Html()
-                         : markup(R"( <span class="soft">– {}</span>)",
-                                  words(result.verdict)),
-                  hidden
-                      ? markup(R"( <span class="soft small">(hidden)</span>)")
-                      : Html(),
-                  course::points_text(earned(result)),
-                  course::points_text(result.info.points),
-                  passed ? Html() : detail(result));
+    append(page,
+           R"(<li>{}<div>{}{}{}</div><div class="n">{} of {}</div>)"
+           "\n",
+           badge(result.verdict), result.info.name,
+           passed ? Html()
+                  : markup(R"( <span class="soft">– {}</span>)",
+                           words(result.verdict)),
+           hidden ? markup(R"( <span class="soft small">(hidden)</span>)")
+                  : Html(),
+           course::points_text(earned(result)),
+           course::points_text(result.info.points));
+    if (!passed) add_detail(page, result);
+    append(page, "</li>\n");
 }
 
 // ---- one exercise
@@ -125,39 +126,38 @@ Html message_block(const ExerciseResult& result) {
                   course::shortened(result.message, 8000, 100));
 }
 
-Html cases_list(const ExerciseResult& result) {
-    if (result.cases.empty() || !has_run(result)) return {};
-    Html items;
-    for (const CaseResult& one : result.cases) items += case_item(one);
-    return markup(R"(<ul class="cases">)"
-                  "\n{}</ul>\n",
-                  items);
+void add_cases(Html& page, const ExerciseResult& result) {
+    if (result.cases.empty() || !has_run(result)) return;
+    append(page, "<ul class=\"cases\">\n");
+    for (const CaseResult& one : result.cases) add_case(page, one);
+    append(page, "</ul>\n");
 }
 
 Html points_of(const std::optional<ExerciseResult>& result, double max) {
-    const auto value = points(result);
+    const auto value = points(score_of(result));
     return markup("{} of {}", value ? course::points_text(*value) : "–",
                   course::points_text(max));
 }
 
-Html exercise_section(const ClassResults& results,
-                      const StudentResults& student, std::size_t k) {
-    const GradedExercise& exercise = results.exercises[k];
+void add_exercise(Html& page, const GradedAssignment& graded,
+                  const StudentResults& student, std::size_t k) {
+    const GradedExercise& exercise = graded.exercises[k];
     const auto& result = student.exercises[k];
-    const Html head = markup(
-        R"(<section class="exercise" id="{}">
+    append(page,
+           R"(<section class="exercise" id="{}">
 <header>{}<h3>{}</h3><span class="points">{}</span></header>
 )",
-        short_name(exercise.exercise),
-        result ? badge(result->verdict) : badge_not_judged(),
-        short_name(exercise.exercise),
-        points_of(result, max_points(results, k)));
-    if (!result) return markup("{}<p>Not judged yet.</p>\n</section>\n", head);
+           short_name(exercise.exercise),
+           result ? badge(result->verdict) : badge_not_judged(),
+           short_name(exercise.exercise),
+           points_of(result, max_points(graded, k)));
+    if (!result) return append(page, "<p>Not judged yet.</p>\n</section>\n");
     const ExerciseResult shown =
-        for_student(*result, results.assignment.hidden_feedback);
-    return markup("{}<p>{}</p>\n{}{}</section>\n", head,
-                  explanation(shown.verdict), message_block(shown),
-                  cases_list(shown));
+        for_student(*result, graded.assignment.hidden_feedback);
+    append(page, "<p>{}</p>\n{}", explanation(shown.verdict),
+           message_block(shown));
+    add_cases(page, shown);
+    append(page, "</section>\n");
 }
 
 // ---- the head of the page
@@ -181,26 +181,26 @@ Html name_of(const GradedExercise& exercise,
     return markup(R"(<a href="#{}">{}</a>)", name, name);
 }
 
-Html overview_row(const ClassResults& results, const StudentResults& student,
+Html overview_row(const GradedAssignment& graded, const StudentResults& student,
                   std::size_t k) {
-    const GradedExercise& exercise = results.exercises[k];
+    const GradedExercise& exercise = graded.exercises[k];
     const auto& result = student.exercises[k];
-    const double max = max_points(results, k);
+    const double max = max_points(graded, k);
     return markup(R"(<tr><td>{}</td><td>{}</td><td style="width:180px">{}</td>)"
                   R"(<td class="n">{}{}</td></tr>)"
                   "\n",
                   name_of(exercise, result), verdict_of(exercise, result),
-                  bar(max > 0 ? points(result).value_or(0) / max : 0),
+                  bar(max > 0 ? points(score_of(result)).value_or(0) / max : 0),
                   points_of(result, max),
-                  is_weighted(results)
+                  is_weighted(graded)
                       ? markup(" × {}", course::points_text(exercise.weight))
                       : Html());
 }
 
-Html overview(const ClassResults& results, const StudentResults& student) {
+Html overview(const GradedAssignment& graded, const StudentResults& student) {
     Html rows;
-    for (std::size_t k = 0; k < results.exercises.size(); ++k)
-        rows += overview_row(results, student, k);
+    for (std::size_t k = 0; k < graded.exercises.size(); ++k)
+        rows += overview_row(graded, student, k);
     return markup(R"(<table>
 <thead><tr><th>exercise</th><th>verdict</th><th></th>)"
                   R"(<th class="n">points</th></tr></thead>
@@ -211,8 +211,9 @@ Html overview(const ClassResults& results, const StudentResults& student) {
                   rows);
 }
 
-Html headline(const ClassResults& results, const StudentResults& student) {
-    const Total sum = total(results, student);
+Html headline(const GradedAssignment& graded, const StudentResults& student) {
+    const Scores scores = scores_of(student);
+    const Total sum = total(graded, scores);
     const Html grade = sum.total
                            ? markup("{} <small>of {} points, {} %</small>",
                                     course::points_text(*sum.total),
@@ -225,8 +226,7 @@ Html headline(const ClassResults& results, const StudentResults& student) {
 <div><dt>status</dt><dd class="words">{}</dd></div>
 </dl>
 )",
-        is_weighted(results) ? " (weighted)" : "", grade,
-        words(status(student)));
+        is_weighted(graded) ? " (weighted)" : "", grade, words(status(scores)));
 }
 
 Html files_section(const StudentResults& student) {
@@ -241,20 +241,22 @@ Html files_section(const StudentResults& student) {
 
 }  // namespace
 
-Html student_page(const ClassResults& results, const StudentResults& student) {
-    const std::string& assignment = results.assignment.name;
-    Html sections;
-    for (std::size_t k = 0; k < results.exercises.size(); ++k)
-        if (!is_missing(student.exercises[k]))
-            sections += exercise_section(results, student, k);
-    return page(
-        assignment + ": " + student.student.name,
-        markup(R"(<header><p class="over">{}, graded <time>{}</time></p>
+Html student_page(const GradedAssignment& graded,
+                  const StudentResults& student) {
+    const std::string& assignment = graded.assignment.name;
+    Html page = begin_page(assignment + ": " + student.student.name);
+    append(page,
+           R"(<header><p class="over">{}, graded <time>{}</time></p>
 <h1><bdi>{}</bdi></h1></header>
-{}{}{}{})",
-               assignment, course::time_text(results.run.started_at),
-               student.student.name, headline(results, student),
-               files_section(student), overview(results, student), sections));
+{}{}{})",
+           assignment, course::time_text(graded.run.started_at),
+           student.student.name, headline(graded, student),
+           files_section(student), overview(graded, student));
+    for (std::size_t k = 0; k < graded.exercises.size(); ++k)
+        if (!is_missing(student.exercises[k]))
+            add_exercise(page, graded, student, k);
+    end_page(page);
+    return page;
 }
 
 }  // namespace grader

@@ -8,6 +8,7 @@ namespace grader {
 
 /// The whole page. Of hidden cases it shows what the assignment's feedback
 /// level allows (see feedback.h).
-Html student_page(const ClassResults& results, const StudentResults& student);
+Html student_page(const GradedAssignment& graded,
+                  const StudentResults& student);
 
 }  // namespace grader

@@ -20,7 +20,6 @@ namespace {
 using course::CaseResult;
 using course::ExerciseResult;
 using course::Verdict;
-using Result = std::optional<ExerciseResult>;
 
 constexpr std::size_t widest_name = 24;
 
@@ -83,15 +82,15 @@ std::string_view colour_of_verdict(Verdict verdict) {
     return verdict == Verdict::grader_fault ? reversed : yellow;
 }
 
-Cell exercise_cell(const Result& result) {
-    if (!result) return {".."};
-    std::string text(mark(result->verdict));
-    if (was_judged(result)) text += " " + course::points_text(result->points());
-    return {std::move(text), colour_of_verdict(result->verdict)};
+Cell exercise_cell(const std::optional<Score>& score) {
+    if (!score) return {".."};
+    std::string text(mark(score->verdict));
+    if (was_judged(score)) text += " " + course::points_text(score->points);
+    return {std::move(text), colour_of_verdict(score->verdict)};
 }
 
-Row ended_with_total(Row row, const ClassResults& results,
-                     const StudentResults& student) {
+Row ended_with_total(Row row, const ClassSummary& results,
+                     const Scores& student) {
     const Total sum = total(results, student);
     row.push_back({sum.total ? course::points_text(*sum.total) : "-", bold});
     row.push_back(
@@ -100,8 +99,8 @@ Row ended_with_total(Row row, const ClassResults& results,
     return row;
 }
 
-Cell name_cell(const StudentResults& student) {
-    return {course::fitted(escape_terminal(student.student.name), widest_name)};
+Cell name_cell(const Student& student) {
+    return {course::fitted(escape_terminal(student.name), widest_name)};
 }
 
 Row head(std::vector<std::string> names) {
@@ -112,34 +111,31 @@ Row head(std::vector<std::string> names) {
     return row;
 }
 
-Row foot(const ClassResults& results, std::vector<std::string> maxima) {
+Row foot(const ClassSummary& results, std::vector<std::string> maxima) {
     Row row = {{"out of"}};
     for (std::string& max : maxima) row.push_back({std::move(max)});
-    double sum = 0;
-    for (std::size_t k = 0; k < results.exercises.size(); ++k)
-        sum += results.exercises[k].weight * max_points(results, k);
-    row.push_back({course::points_text(sum)});
+    row.push_back({course::points_text(max_total(results))});
     return row;
 }
 
-std::vector<Row> rows_by_exercise(const ClassResults& results) {
+std::vector<Row> rows_by_exercise(const ClassSummary& results) {
     std::vector<std::string> names, maxima;
     for (std::size_t k = 0; k < results.exercises.size(); ++k) {
         names.emplace_back(short_name(results.exercises[k].exercise));
         maxima.push_back(course::points_text(max_points(results, k)));
     }
     std::vector<Row> rows = {head(names)};
-    for (const StudentResults& student : results.students) {
-        Row row = {name_cell(student)};
-        for (const Result& result : student.exercises)
-            row.push_back(exercise_cell(result));
-        rows.push_back(ended_with_total(std::move(row), results, student));
+    for (std::size_t k = 0; k < results.students.size(); ++k) {
+        const Scores& scores = results.students[k];
+        Row row = {name_cell(results.run.students[k])};
+        for (const auto& score : scores) row.push_back(exercise_cell(score));
+        rows.push_back(ended_with_total(std::move(row), results, scores));
     }
     rows.push_back(foot(results, maxima));
     return rows;
 }
 
-std::vector<std::string> chapters(const ClassResults& results) {
+std::vector<std::string> chapters(const ClassSummary& results) {
     std::vector<std::string> names;
     for (const GradedExercise& one : results.exercises) {
         const std::string name(chapter(one.exercise));
@@ -150,22 +146,22 @@ std::vector<std::string> chapters(const ClassResults& results) {
 }
 
 /// "2/5 31.5": how many exercises are right, and the points.
-Cell chapter_cell(const ClassResults& results, const StudentResults& student,
+Cell chapter_cell(const ClassSummary& results, const Scores& student,
                   std::string_view name) {
     int all = 0, right = 0;
     double sum = 0;
     for (std::size_t k = 0; k < results.exercises.size(); ++k) {
         if (chapter(results.exercises[k].exercise) != name) continue;
-        const Result& result = student.exercises[k];
+        const auto& score = student[k];
         ++all;
-        if (result && result->verdict == Verdict::accepted) ++right;
-        sum += points(result).value_or(0);
+        if (score && score->verdict == Verdict::accepted) ++right;
+        sum += points(score).value_or(0);
     }
     return {fmt::format("{}/{} {}", right, all, course::points_text(sum)),
             right == all ? green : ""};
 }
 
-std::vector<Row> rows_by_chapter(const ClassResults& results) {
+std::vector<Row> rows_by_chapter(const ClassSummary& results) {
     const std::vector<std::string> names = chapters(results);
     std::vector<std::string> maxima;
     for (const std::string& name : names) {
@@ -176,11 +172,12 @@ std::vector<Row> rows_by_chapter(const ClassResults& results) {
         maxima.push_back(course::points_text(sum));
     }
     std::vector<Row> rows = {head(names)};
-    for (const StudentResults& student : results.students) {
-        Row row = {name_cell(student)};
+    for (std::size_t k = 0; k < results.students.size(); ++k) {
+        const Scores& scores = results.students[k];
+        Row row = {name_cell(results.run.students[k])};
         for (const std::string& name : names)
-            row.push_back(chapter_cell(results, student, name));
-        rows.push_back(ended_with_total(std::move(row), results, student));
+            row.push_back(chapter_cell(results, scores, name));
+        rows.push_back(ended_with_total(std::move(row), results, scores));
     }
     rows.push_back(foot(results, maxima));
     return rows;
@@ -233,18 +230,19 @@ std::string case_text(const CaseResult& result, Colour colour) {
     return text;
 }
 
-std::string exercise_text(const ClassResults& results, const Result& result,
+std::string exercise_text(const GradedAssignment& graded,
+                          const std::optional<ExerciseResult>& result,
                           std::size_t k, Colour colour) {
-    const std::string name(short_name(results.exercises[k].exercise));
+    const std::string name(short_name(graded.exercises[k].exercise));
     if (!result) return fmt::format("\n{}: not judged yet\n", name);
-    const auto value = points(result);
+    const auto value = points(score_of(result));
     std::string text =
         fmt::format("\n{}: {}, {} of {}\n", painted({name, bold}, colour),
                     painted({std::string(words(result->verdict)),
                              colour_of_verdict(result->verdict)},
                             colour),
                     value ? course::points_text(*value) : "-",
-                    course::points_text(max_points(results, k)));
+                    course::points_text(max_points(graded, k)));
     text += indented(course::shortened(result->message, 8000, 60), 2);
     if (has_run(*result))
         for (const CaseResult& one : result->cases)
@@ -262,7 +260,7 @@ Colour colour_of(int fd) {
     return wanted && able && isatty(fd) == 1 ? Colour::on : Colour::off;
 }
 
-std::string class_table(const ClassResults& results, Colour colour,
+std::string class_table(const ClassSummary& results, Colour colour,
                         std::size_t columns) {
     const std::vector<Row> by_exercise = rows_by_exercise(results);
     if (table_width(by_exercise) <= columns)
@@ -275,9 +273,10 @@ std::string class_table(const ClassResults& results, Colour colour,
     return laid_out(only_totals(by_chapter, chapters(results).size()), colour);
 }
 
-std::string student_text(const ClassResults& results,
+std::string student_text(const GradedAssignment& graded,
                          const StudentResults& student, Colour colour) {
-    const Total sum = total(results, student);
+    const Scores scores = scores_of(student);
+    const Total sum = total(graded, scores);
     std::string text = fmt::format(
         "{} ({})\n{} of {} points, {} %, {}\n",
         painted({escape_terminal(student.student.name), bold}, colour),
@@ -285,11 +284,11 @@ std::string student_text(const ClassResults& results,
         sum.total ? course::points_text(*sum.total) : "-",
         course::points_text(sum.max),
         sum.total ? course::percent_text(*sum.total, sum.max) : "-",
-        words(status(student)));
+        words(status(scores)));
     for (const std::string& note : student.student.notes)
         text += "note: " + escape_terminal(note) + "\n";
-    for (std::size_t k = 0; k < results.exercises.size(); ++k)
-        text += exercise_text(results, student.exercises[k], k, colour);
+    for (std::size_t k = 0; k < graded.exercises.size(); ++k)
+        text += exercise_text(graded, student.exercises[k], k, colour);
     return text;
 }
 

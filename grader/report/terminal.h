@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <string>
 
-#include "grader/report/class_results.h"
+#include "grader/report/class_summary.h"
 
 namespace grader {
 
@@ -17,11 +17,11 @@ Colour colour_of(int fd);
 /// The table of the class: a line per student with mark and points for each
 /// exercise or, where they do not fit in `columns`, the points per chapter.
 /// At most `columns` wide; ends with a line feed.
-std::string class_table(const ClassResults& results, Colour colour,
+std::string class_table(const ClassSummary& results, Colour colour,
                         std::size_t columns = 100);
 
 /// All that is known of one student, for the instructor: nothing is hidden.
-std::string student_text(const ClassResults& results,
+std::string student_text(const GradedAssignment& graded,
                          const StudentResults& student, Colour colour);
 
 }  // namespace grader

@@ -90,9 +90,27 @@ TEST_CASE("a gradebook of a newer grader is refused and not touched") {
     const course::TemporaryFolder folder;
     const auto file = folder / "g.sqlite";
     CHECK(message(file) == "opened");
-    execute(file, "PRAGMA user_version = 2");
+    execute(file, "PRAGMA user_version = 3");
     CHECK_THROWS_AS(Gradebook(file), GradebookNewer);
-    CHECK_THAT(message(file), Containing("has schema 2; expected at most 1"));
+    CHECK_THAT(message(file), Containing("has schema 3; expected at most 2"));
+}
+
+TEST_CASE("a gradebook of version 1 is brought up to date when it is opened") {
+    const course::TemporaryFolder folder;
+    const std::filesystem::path file = folder / "g.sqlite";
+    for (const auto access :
+         {Gradebook::Access::write, Gradebook::Access::read}) {
+        std::filesystem::remove(file);
+        { Gradebook(file).begin_run(sample_run()); }
+        execute(file, "DROP VIEW standing");
+        execute(file, "ALTER TABLE runs DROP COLUMN proposed");
+        execute(file, "CREATE VIEW standing AS SELECT * FROM attempts");
+        execute(file, "PRAGMA user_version = 1");
+        const Gradebook book(file, access);
+        REQUIRE(book.last_run().has_value());
+        CHECK((book.last_run() == sample_run()));
+        CHECK(book.latest("carla").empty());
+    }
 }
 
 TEST_CASE("a missing file or folder is named") {
@@ -166,6 +184,11 @@ TEST_CASE("a damaged gradebook is reported, not repaired") {
         execute(file, "UPDATE cases SET verdict = 'perfect'");
         const Gradebook book(file);
         CHECK_THROWS_AS(book.latest("carla", "e"), GradebookDamaged);
+    }
+    SECTION("an attempt that counts is not there") {
+        execute(file, "DELETE FROM attempts");
+        const Gradebook book(file);
+        CHECK_THROWS_AS(book.latest("carla"), GradebookDamaged);
     }
     SECTION("a seed that is no number") {
         execute(file, "UPDATE runs SET seed = '12x'");

@@ -104,6 +104,27 @@ TEST_CASE("a clock that goes back does not bring an old result back") {
     CHECK(book.latest("carla", exercise)->key == "second");
 }
 
+TEST_CASE("what counts for a student comes all at once") {
+    const course::TemporaryFolder folder;
+    Gradebook book(folder / "g.sqlite");
+    const int run = book.begin_run(sample_run());
+    const std::string later = "02_border/boundary_walk";
+    book.record(run, {"carla", later, "none", *nothing()[0], "now"});
+    book.record(run, {"carla", later, "a", *all_accepted()[1], "now"});
+    book.record(run, attempt("first", *all_accepted()[0]));
+    book.record(run, attempt("second", *wrong_and_endless()[0]));
+    book.record(run, {"anna.rossi", later, "b", *all_accepted()[0], "now"});
+    book.reuse(run, "carla", exercise, "first");
+    const std::vector<Attempt> latest = book.latest("carla");
+    REQUIRE(latest.size() == 2);
+    CHECK(latest[0].exercise == exercise);
+    CHECK(latest[0].key == "first");
+    CHECK((bytes(latest[0].result) == bytes(all_accepted()[0])));
+    CHECK(latest[1].exercise == later);
+    CHECK(latest[1].key == "a");
+    CHECK(book.latest("nobody").empty());
+}
+
 TEST_CASE("a student who goes back to an earlier version gets its points") {
     const course::TemporaryFolder folder;
     Gradebook book(folder / "g.sqlite");
@@ -111,15 +132,14 @@ TEST_CASE("a student who goes back to an earlier version gets its points") {
     book.record(run, attempt("first", *all_accepted()[0]));
     book.record(run, attempt("second", *wrong_and_endless()[0]));
     const int later = book.begin_run(sample_run());
-    CHECK((bytes(book.reuse(later, "carla", exercise, "first")) ==
-           bytes(all_accepted()[0])));
+    CHECK(book.reuse(later, "carla", exercise, "first"));
     CHECK(book.latest("carla", exercise)->key == "first");
     // Nothing changes when what counts is used once more.
     const std::string rows = "SELECT count(*) FROM counted";
     CHECK(count(folder / "g.sqlite", rows) == 3);
-    CHECK(book.reuse(later, "carla", exercise, "first").has_value());
+    CHECK(book.reuse(later, "carla", exercise, "first"));
     CHECK(count(folder / "g.sqlite", rows) == 3);
-    CHECK_FALSE(book.reuse(later, "carla", exercise, "third").has_value());
+    CHECK_FALSE(book.reuse(later, "carla", exercise, "third"));
     CHECK(book.latest("carla", exercise)->key == "first");
 }
 
@@ -130,9 +150,74 @@ TEST_CASE("a grader fault counts until it is retried, but is never reused") {
     book.record(run, attempt("k", result(Verdict::grader_fault, {}, "why")));
     CHECK(book.latest("carla", exercise)->result.message == "why");
     CHECK_FALSE(book.find("carla", exercise, "k").has_value());
-    CHECK_FALSE(book.reuse(run, "carla", exercise, "k").has_value());
+    CHECK_FALSE(book.reuse(run, "carla", exercise, "k"));
     book.record(run, attempt("k", *all_accepted()[0]));
     CHECK(book.find("carla", exercise, "k").has_value());
+}
+
+TEST_CASE("what a proposed run reached counts when it is accepted") {
+    const course::TemporaryFolder folder;
+    const std::filesystem::path file = folder / "g.sqlite";
+    Gradebook book(file);
+    const int run = book.begin_run(sample_run());
+    book.record(run, attempt("old", *all_accepted()[0]));
+    Run proposal = sample_run();
+    proposal.seed = 77;
+    proposal.proposed = true;
+    const int proposed = book.begin_run(proposal);
+    book.record(proposed, attempt("new", *wrong_and_endless()[0]));
+
+    CHECK(book.last_run()->seed != 77);
+    CHECK(book.latest("carla", exercise)->key == "old");
+    CHECK(book.latest("carla").at(0).key == "old");
+    CHECK(count(file, "SELECT count(*) FROM standing") == 1);
+    const std::vector<Change> changes = book.changes(proposed);
+    REQUIRE(changes.size() == 1);
+    CHECK(changes[0].student == "carla");
+    CHECK(changes[0].exercise == exercise);
+    CHECK(changes[0].old_verdict == Verdict::accepted);
+    CHECK(changes[0].old_points == all_accepted()[0]->points());
+    CHECK(changes[0].verdict == wrong_and_endless()[0]->verdict);
+    CHECK(changes[0].points == wrong_and_endless()[0]->points());
+
+    book.accept(proposed);
+    CHECK(book.last_run()->seed == 77);
+    CHECK(book.latest("carla", exercise)->key == "new");
+    CHECK(book.changes(proposed).empty());
+    CHECK(count(file, "SELECT count(*) FROM attempts") == 2);
+}
+
+TEST_CASE(
+    "what was proposed and not taken is found again, and only counts then") {
+    const course::TemporaryFolder folder;
+    Gradebook book(folder / "g.sqlite");
+    const int run = book.begin_run(sample_run());
+    book.record(run, attempt("old", *all_accepted()[0]));
+    Run proposal = sample_run();
+    proposal.proposed = true;
+    book.record(book.begin_run(proposal),
+                attempt("new", *wrong_and_endless()[0]));
+    const int again = book.begin_run(proposal);
+    CHECK(book.reuse(again, "carla", exercise, "new"));
+    CHECK(book.changes(again).size() == 1);
+    CHECK(book.latest("carla", exercise)->key == "old");
+    book.accept(again);
+    CHECK(book.latest("carla", exercise)->key == "new");
+}
+
+TEST_CASE("a first result is a change, and one that counts already is none") {
+    const course::TemporaryFolder folder;
+    Gradebook book(folder / "g.sqlite");
+    Run proposal = sample_run();
+    proposal.proposed = true;
+    const int proposed = book.begin_run(proposal);
+    book.record(proposed, attempt("k", *all_accepted()[0]));
+    REQUIRE(book.changes(proposed).size() == 1);
+    CHECK_FALSE(book.changes(proposed)[0].old_verdict.has_value());
+    book.accept(proposed);
+    const int again = book.begin_run(proposal);
+    CHECK(book.reuse(again, "carla", exercise, "k"));
+    CHECK(book.changes(again).empty());
 }
 
 TEST_CASE("an attempt needs a run") {

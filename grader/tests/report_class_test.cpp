@@ -8,6 +8,7 @@
 #include "grader/report/gradescope.h"
 #include "grader/report/student_page.h"
 #include "grader/report/terminal.h"
+#include "grader/report/write_reports.h"
 #include "grader/tests/golden.h"
 #include "grader/tests/sample_results.h"
 
@@ -24,7 +25,7 @@ ClassResults one_student(Results results) {
 }
 
 Status status_of(const Results& results) {
-    return status(one_student(results).students[0]);
+    return status(scores_of(one_student(results).students[0]));
 }
 
 }  // namespace
@@ -33,38 +34,41 @@ TEST_CASE("a class from the gradebook gives the reports of the class itself") {
     const course::TemporaryFolder folder;
     const ClassResults sample = sample_class();
     Gradebook book(folder / "g.sqlite");
-    const int run = book.begin_run(sample.run);
-    for (const StudentResults& student : sample.students)
-        for (std::size_t k = 0; k < 3; ++k)
-            book.record(run, {student.student.id, sample.exercises[k].exercise,
-                              "key", *student.exercises[k], "now"});
-    const ClassResults read = class_results(book, sample.assignment);
-    CHECK((class_page(read).text == class_page(sample).text));
-    CHECK((grades_csv(read) == grades_csv(sample)));
-    for (std::size_t k = 0; k < sample.students.size(); ++k)
-        CHECK((student_page(read, read.students[k]).text ==
+    record(book, sample);
+    const ClassSummary read =
+        write_reports(book, sample.assignment, folder / "out");
+    CHECK((class_page(read).text == class_page(summary_of(sample)).text));
+    CHECK((grades_csv(read) == grades_csv(summary_of(sample))));
+    for (std::size_t k = 0; k < sample.students.size(); ++k) {
+        const StudentResults student =
+            student_results(book, read, read.run.students[k]);
+        CHECK((student_page(read, student).text ==
                student_page(sample, sample.students[k]).text));
+    }
 }
 
 TEST_CASE("an exercise without a result is not judged, and has no total") {
     const course::TemporaryFolder folder;
     Gradebook book(folder / "g.sqlite");
     book.begin_run(sample_run());
-    const ClassResults read = class_results(book, sample_assignment());
+    const ClassSummary read =
+        write_reports(book, sample_assignment(), folder / "out");
     REQUIRE(read.students.size() == 5);
     CHECK((status(read.students[0]) == Status::not_judged));
     CHECK_FALSE(total(read, read.students[0]).total.has_value());
     CHECK(total(read, read.students[0]).max == 35);
     CHECK_THAT(grades_csv(read), Containing("anna.rossi,,35,,not judged,,,\n"));
-    CHECK_THAT(student_page(read, read.students[0]).text,
-               Containing("Not judged yet."));
+    const StudentResults anna =
+        student_results(book, read, read.run.students[0]);
+    CHECK_THAT(student_page(read, anna).text, Containing("Not judged yet."));
     CHECK_THAT(class_table(read, Colour::off), Containing(".."));
 }
 
 TEST_CASE("a gradebook without a run has no students") {
     const course::TemporaryFolder folder;
     const Gradebook book(folder / "g.sqlite");
-    const ClassResults read = class_results(book, sample_assignment());
+    const ClassSummary read =
+        write_reports(book, sample_assignment(), folder / "out");
     CHECK(read.students.empty());
     CHECK_THAT(class_page(read).text, Containing("No student"));
     CHECK(grades_csv(read) ==
@@ -76,7 +80,7 @@ TEST_CASE("a gradebook without a run has no students") {
 TEST_CASE("points are weighted, and what is missing counts nothing") {
     const ClassResults all =
         one_student({all_accepted()[0], wrong_and_endless()[1], nothing()[2]});
-    const Total sum = total(all, all.students[0]);
+    const Total sum = total(all, scores_of(all.students[0]));
     CHECK(sum.total == 10 + 1.5 * 5);
     CHECK(sum.max == 10 + 1.5 * 10 + 10);
 }
@@ -94,8 +98,8 @@ TEST_CASE("the status tells what a total is worth") {
 
 TEST_CASE("a grader fault never becomes a grade") {
     const ClassResults all = one_student(fault());
-    CHECK_FALSE(total(all, all.students[0]).total.has_value());
-    CHECK_THAT(grades_csv(all),
+    CHECK_FALSE(total(all, scores_of(all.students[0])).total.has_value());
+    CHECK_THAT(grades_csv(summary_of(all)),
                Containing("anna.rossi,,35,,grader fault,,7,0\n"));
     const std::string json = gradescope_json(all, all.students[0]);
     CHECK(json.find("\"score\"") == json.npos);
@@ -104,7 +108,7 @@ TEST_CASE("a grader fault never becomes a grade") {
 }
 
 TEST_CASE("the cases that fail most come first, of those that could run") {
-    const auto failed = most_failed(sample_class());
+    const auto failed = most_failed(summary_of(sample_class()));
     REQUIRE(failed.size() == 7);
     CHECK(failed[0].exercise == "01_traversal/vertex_star");
     CHECK(failed[0].name == "the faces of the slide mesh");
@@ -117,9 +121,9 @@ TEST_CASE("the cases that fail most come first, of those that could run") {
 }
 
 TEST_CASE("a student is found by id, or by the name of the folder") {
-    const ClassResults all = sample_class();
-    CHECK(find_student(all, "carla") == &all.students[3]);
-    CHECK(find_student(all, "=cmd|' /C calc'!A0") == &all.students[2]);
-    CHECK(find_student(all, all.students[1].student.id) == &all.students[1]);
+    const std::vector<Student> all = sample_run().students;
+    CHECK(find_student(all, "carla") == &all[3]);
+    CHECK(find_student(all, "=cmd|' /C calc'!A0") == &all[2]);
+    CHECK(find_student(all, all[1].id) == &all[1]);
     CHECK(find_student(all, "nobody") == nullptr);
 }

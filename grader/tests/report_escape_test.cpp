@@ -1,6 +1,12 @@
 // Whatever a student chose as a name or printed, it stays text in a report.
 #include "grader/report/escape.h"
 
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdint>
+#include <stdexcept>
+
 #include "grader/report/html.h"
 #include "grader/tests/golden.h"
 #include "grader/tests/sample_results.h"
@@ -32,6 +38,16 @@ TEST_CASE("invalid UTF-8 is shown byte by byte, and the rest is kept") {
     CHECK(escape_html("\xf0\x9f\x98") == "\\xF0\\x9F\\x98");  // cut short
     CHECK(escape_html("\u00E8 \u4E2D \U0001F600") ==
           "\u00E8 \u4E2D \U0001F600");
+}
+
+TEST_CASE("a character is escaped alike alone and beside what is spelled out") {
+    const std::string bad = "\xff";
+    for (int code = 0; code < 128; ++code) {
+        const std::string text(1, static_cast<char>(code));
+        CAPTURE(code);
+        CHECK(escape_html(bad + text) == "\\xFF" + escape_html(text));
+        CHECK(escape_json(bad + text) == "\\xFF" + escape_json(text));
+    }
 }
 
 TEST_CASE("XML: nothing that XML 1.0 forbids, and no end of a CDATA") {
@@ -81,4 +97,29 @@ TEST_CASE("markup escapes every value that is not markup itself") {
     CHECK(markup("<p>{}</p>", markup("<b>{}</b>", "<")).text ==
           "<p><b>&lt;</b></p>");
     CHECK(markup("{}", std::string("{} {{")).text == "{} {{");
+}
+
+TEST_CASE("markup writes numbers as fmt does") {
+    std::vector<double> numbers = {0.0,  -0.0, -0.04, 0.95,   99.95,    1e9,
+                                   1e15, 1e22, 1e300, 5e-324, INFINITY, NAN};
+    for (int k = -4000; k < 4000; ++k) {
+        const double tie = k / 40.0;
+        numbers.insert(numbers.end(), {tie, std::nextafter(tie, 1e9),
+                                       std::nextafter(tie, -1e9), k / 64.0});
+    }
+    for (const double number : numbers) {
+        const std::string expected =
+            fmt::format("{:.1f} {:.0f}", number, number);
+        if (markup("{:.1f} {:.0f}", number, number).text != expected)
+            FAIL_CHECK(expected);
+    }
+    CHECK(markup("{} {}", std::uint64_t{18446744073709551615u}, -7).text ==
+          "18446744073709551615 -7");
+}
+
+TEST_CASE("markup with too many or too few values is a mistake") {
+    CHECK_THROWS_AS(markup("<p>", "more"), std::logic_error);
+    CHECK_THROWS_AS(markup("<p>{}"), std::logic_error);
+    CHECK_THROWS_AS(markup("{:.1f}", "text"), std::logic_error);
+    CHECK_THROWS_AS(markup("{}", 0.5), std::logic_error);
 }

@@ -77,7 +77,8 @@ TEST_CASE("a shown case keeps everything at every level") {
 
 TEST_CASE("the instructor sees what the grader's fault was") {
     const ClassResults results = sample_class();
-    CHECK_THAT(class_page(results).text, Containing("SECRET fault"));
+    CHECK_THAT(class_page(summary_of(results)).text,
+               Containing("SECRET fault"));
     CHECK_THAT(student_text(results, results.students[4], Colour::off),
                Containing("SECRET fault"));
     CHECK_THAT(student_text(results, results.students[1], Colour::off),

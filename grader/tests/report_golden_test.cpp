@@ -15,7 +15,7 @@ using namespace grader;
 using namespace grader::tests;
 
 TEST_CASE("the class's reports are as in the golden files") {
-    const ClassResults results = sample_class();
+    const ClassSummary results = summary_of(sample_class());
     check_golden("grades.csv", grades_csv(results));
     check_golden("report.html", class_page(results).text);
     check_golden("class_table.txt", class_table(results, Colour::off));

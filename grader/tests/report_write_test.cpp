@@ -1,6 +1,9 @@
 // The files of a run: all there, self-contained, and the same every time.
 #include "grader/report/write_reports.h"
 
+#include <fmt/format.h>
+#include <sys/resource.h>
+
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -15,18 +18,34 @@
 using namespace grader;
 using namespace grader::tests;
 
+namespace fs = std::filesystem;
+
 namespace {
+
+void write(const ClassResults& results, const fs::path& out) {
+    const course::TemporaryFolder folder;
+    Gradebook book(folder / "g.sqlite");
+    record(book, results);
+    write_reports(book, results.assignment, out);
+}
 
 std::map<std::string, std::string> written(const ClassResults& results) {
     const course::TemporaryFolder folder;
-    write_reports(results, folder.path());
+    const fs::path out = folder / "out";
+    write(results, out);
     std::map<std::string, std::string> files;
-    for (const auto& one :
-         std::filesystem::recursive_directory_iterator(folder.path()))
+    for (const auto& one : fs::recursive_directory_iterator(out))
         if (one.is_regular_file())
-            files[one.path().lexically_relative(folder.path()).string()] =
+            files[one.path().lexically_relative(out).string()] =
                 file_contents(one.path());
     return files;
+}
+
+/// The most memory that this process has had at once.
+long peak_kib() {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return usage.ru_maxrss;
 }
 
 bool contains(const std::string& text, const std::string& what) {
@@ -113,7 +132,7 @@ TEST_CASE("results.json is JSON with the points of grades.csv") {
     for (const StudentResults& student : sample.students) {
         const auto json = nlohmann::json::parse(
             files.at("students/" + student.student.id + "/results.json"));
-        const Total sum = total(sample, student);
+        const Total sum = total(sample, scores_of(student));
         CHECK(json.contains("score") == sum.total.has_value());
         double points = 0;
         for (const auto& test : json.at("tests"))
@@ -148,26 +167,94 @@ TEST_CASE("the terminal's table fits, however many exercises there are") {
         for (StudentResults& student : results.students)
             for (std::size_t k = 0; k < 3; ++k)
                 student.exercises.push_back(student.exercises[k]);
-        for (const std::string& line : lines(class_table(results, Colour::off)))
+        for (const std::string& line :
+             lines(class_table(summary_of(results), Colour::off)))
             CHECK(course::width(line) <= 100);
     }
 }
 
 TEST_CASE("colours only repeat what the letters say") {
-    std::string coloured = class_table(sample_class(), Colour::on);
+    const ClassSummary sample = summary_of(sample_class());
+    std::string coloured = class_table(sample, Colour::on);
     for (std::size_t at; (at = coloured.find('\x1b')) != coloured.npos;)
         coloured.erase(at, coloured.find('m', at) + 1 - at);
     // Blanks at the end of a line may differ, where a colour ended it.
-    CHECK(coloured == class_table(sample_class(), Colour::off));
+    CHECK(coloured == class_table(sample, Colour::off));
     CHECK((colour_of(-1) == Colour::off));
+}
+
+TEST_CASE("a student's file that would not change is left alone") {
+    const course::TemporaryFolder folder;
+    write(sample_class(), folder / "out");
+    const fs::path student = folder / "out/students/anna.rossi";
+    const fs::path page = student / "feedback.html";
+    const fs::path json = student / "results.json";
+    const std::string text = file_contents(page);
+    // A name that we give to the same file stays with the old one when the
+    // report replaces it.
+    fs::create_hard_link(page, folder / "page");
+    fs::create_hard_link(json, folder / "json");
+    ClassResults later = sample_class();
+    later.run.started_at = "2025-12-31T23:59:59Z";
+    write(later, folder / "out");
+    CHECK(fs::equivalent(json, folder / "json"));
+    CHECK_FALSE(fs::equivalent(page, folder / "page"));
+    CHECK((file_contents(page) != text));
+    CHECK((file_contents(folder / "page") == text));
+}
+
+TEST_CASE("whatever stands in the place of a student's file is replaced") {
+    const course::TemporaryFolder folder;
+    const auto files = written(sample_class());
+    const std::string name = "students/anna.rossi/junit.xml";
+    const fs::path file = folder / "out" / name;
+    const std::string& text = files.at(name);
+    fs::create_directories(file.parent_path());
+    SECTION("other bytes, as many") {
+        std::ofstream(file) << std::string(text.size(), 'x');
+    }
+    SECTION("the right bytes, up to the last") {
+        std::ofstream(file) << text.substr(0, text.size() - 1) << 'x';
+    }
+    SECTION("too few bytes") {
+        std::ofstream(file) << text.substr(1);
+    }
+    SECTION("a link to a file with these bytes") {
+        std::ofstream(folder / "other") << text;
+        fs::create_symlink(folder / "other", file);
+    }
+    write(sample_class(), folder / "out");
+    REQUIRE(fs::is_regular_file(fs::symlink_status(file)));
+    CHECK((file_contents(file) == text));
+}
+
+TEST_CASE("a class takes the memory of one student") {
+    constexpr int students = 64;
+    constexpr long most_kib = 24L * 1024;
+    const course::TemporaryFolder folder;
+    Gradebook book(folder / "g.sqlite");
+    Run run = sample_run();
+    run.students.clear();
+    for (int k = 0; k < students; ++k)
+        run.students.push_back({fmt::format("s{}", k), "a name", {}});
+    const int number = book.begin_run(run);
+    ExerciseResult large = *wrong_and_endless()[0];
+    large.cases[0].printed = std::string(1 << 20, 'x');
+    for (const Student& student : run.students)
+        book.record(number,
+                    {student.id, run.suites[0].exercise, "key", large, "now"});
+    const long before = peak_kib();
+    const ClassSummary all =
+        write_reports(book, sample_assignment(), folder / "out");
+    CHECK(all.students.size() == students);
+    CHECK(peak_kib() - before < most_kib);  // all of them: 64 MiB
 }
 
 TEST_CASE("a folder that cannot be made is an error that names it") {
     const course::TemporaryFolder folder;
     std::ofstream(folder / "out") << "a file";
-    CHECK_THROWS_AS(write_reports(sample_class(), folder / "out"),
-                    std::filesystem::filesystem_error);
-    std::filesystem::create_directories(folder / "in" / "report.html");
-    CHECK_THROWS_AS(write_reports(sample_class(), folder / "in"),
-                    std::runtime_error);
+    CHECK_THROWS_AS(write(sample_class(), folder / "out"),
+                    fs::filesystem_error);
+    fs::create_directories(folder / "in" / "report.html");
+    CHECK_THROWS_AS(write(sample_class(), folder / "in"), std::runtime_error);
 }

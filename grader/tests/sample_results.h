@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "grader/pipeline/safe_id.h"
-#include "grader/report/class_results.h"
+#include "grader/report/class_summary.h"
 
 namespace grader::tests {
 
@@ -270,6 +270,23 @@ inline ClassResults sample_class() {
     for (std::size_t k = 0; k < results.size(); ++k)
         all.students.push_back({all.run.students[k], results[k]});
     return all;
+}
+
+inline ClassSummary summary_of(const ClassResults& results) {
+    ClassSummary all{results, {}, {}, {}};
+    for (const StudentResults& student : results.students) add(all, student);
+    return all;
+}
+
+/// Writes the class down as a run does.
+inline void record(Gradebook& book, const ClassResults& results) {
+    const int run = book.begin_run(results.run);
+    for (const StudentResults& student : results.students)
+        for (std::size_t k = 0; k < student.exercises.size(); ++k)
+            if (const auto& result = student.exercises[k])
+                book.record(run,
+                            {student.student.id, results.exercises[k].exercise,
+                             "key", *result, "now"});
 }
 
 }  // namespace grader::tests

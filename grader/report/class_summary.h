@@ -1,0 +1,39 @@
+// A class without what only a student's own page shows. It takes some hundred
+// bytes for each student, where their results may take a megabyte.
+#pragma once
+
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "grader/report/class_results.h"
+
+namespace grader {
+
+/// A case of a suite, and how many failed it.
+struct CaseCount {
+    std::string exercise;
+    std::string name;
+    course::Visibility visibility = course::Visibility::hidden;
+    int failed = 0;
+    int judged = 0;  ///< submissions that came so far as to run it
+};
+
+/// An exercise of a student that ended in a fault of the grader.
+struct Fault {
+    std::size_t student, exercise;  ///< numbers in the class's lists
+    std::string message;            ///< shortened
+};
+
+struct ClassSummary : GradedAssignment {
+    std::vector<Scores> students;  ///< in the order of run.students
+    std::vector<Fault> faults;     ///< by student, then by exercise
+    /// By number of the exercise and name of the case.
+    std::map<std::pair<std::size_t, std::string>, CaseCount> cases;
+};
+
+/// Adds a student. Precondition: it is the next one of run.students.
+void add(ClassSummary& all, const StudentResults& student);
+
+}  // namespace grader

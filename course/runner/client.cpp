@@ -223,12 +223,13 @@ void Client::check_cpu(std::int64_t used_us) {
 
 Client::SentTable& Client::known_table(const HalfEdgeTable& table) {
     const std::vector<HalfEdge>& rows = table.rows();
-    for (SentTable& sent : sent_)
-        if (sent.copies != nullptr && sent.rows == rows.data())
-            return sent;
-        else if ((rows.size() <= small_table || sent.rows == rows.data()) &&
-                 same_rows(sent.copy, rows))
-            return sent;
+    // Most calls are about the table that was sent last.
+    for (auto sent = sent_.rbegin(); sent != sent_.rend(); ++sent) {
+        if (sent->rows != rows.data() && rows.size() > small_table) continue;
+        if (sent->copies != nullptr ? sent->rows == rows.data()
+                                    : same_rows(sent->copy, rows))
+            return *sent;
+    }
     if (sent_.size() >= most_tables) sent_.pop_front();
     sent_.push_back({next_table_++, rows.data(), rows, 0, nullptr});
     return sent_.back();
@@ -279,7 +280,7 @@ void Client::begin_call() {
 }
 
 void Client::ask_ahead(const HalfEdgeTable& he, std::vector<int> starts) {
-    if (!one_by_one_) ahead_ = Ahead{&he, std::move(starts), 0, {}};
+    if (!one_by_one_) ahead_ = Ahead{&he, std::move(starts)};
 }
 
 // The arguments of f(he, i): id and budget of the table, start.
@@ -290,52 +291,57 @@ bool Client::is_ahead(const Request& request) const {
            request.arguments.bytes.size() == table_argument + sizeof(int);
 }
 
-std::string Client::ask_for_many(const Request& request,
-                                 const std::string& table,
-                                 const std::vector<int>& starts) {
-    Request all = request;
-    all.arguments = {};
-    put(all.arguments, static_cast<std::uint32_t>(starts.size()));
-    for (const int start : starts) put(all.arguments, table + encode(start));
-    return ask(CallStatus::many, all);
-}
-
 /// One request for the next calls that were announced, with the table and the
 /// budget of this one. Not for all: who answers wrong is told so soon.
 void Client::fetch_ahead(const Request& request) {
-    const std::string table = request.arguments.bytes.substr(0, table_argument);
     constexpr std::size_t most = 500;
-    const auto first = static_cast<std::ptrdiff_t>(ahead_->asked);
-    const std::size_t n = std::min(most, ahead_->starts.size() - ahead_->asked);
-    const std::vector<int> starts(
-        ahead_->starts.begin() + first,
-        ahead_->starts.begin() + first + static_cast<std::ptrdiff_t>(n));
-    ahead_->asked += n;
+    const std::size_t first = ahead_->asked;
+    ahead_->asked = std::min(first + most, ahead_->starts.size());
+    ahead_->table = request.arguments.bytes.substr(0, table_argument);
     ahead_->answers.clear();
-    const std::string body = ask_for_many(request, table, starts);
+    Request all = request;
+    all.arguments = {};
+    put(all.arguments, static_cast<std::uint32_t>(ahead_->asked - first));
+    for (std::size_t k = first; k < ahead_->asked; ++k)
+        put(all.arguments, ahead_->table + encode(ahead_->starts[k]));
+    const std::string body = ask(CallStatus::many, all);
     Reader in(body);
-    for (const int start : starts) {
+    for (std::size_t k = first; k < ahead_->asked; ++k) {
         const auto reads = get<std::int64_t>(in);
-        ahead_->answers[table + encode(start)] = {reads, get<std::string>(in)};
+        ahead_->answers.push_back({reads, get<std::string>(in)});
     }
     in.done();
 }
 
+/// The answer for that start, if it was asked for and not yet given.
+const Client::Answer* Client::find_ahead(int start) {
+    const std::size_t first = ahead_->asked - ahead_->answers.size();
+    for (std::size_t k = std::max(ahead_->next, first); k < ahead_->asked; ++k)
+        if (ahead_->starts[k] == start) {
+            ahead_->next = k + 1;
+            return &ahead_->answers[k - first];
+        }
+    return nullptr;
+}
+
 std::optional<std::string> Client::answered_ahead(const Request& request) {
-    auto found = ahead_->answers.find(request.arguments.bytes);
-    if (found == ahead_->answers.end() &&
-        ahead_->asked < ahead_->starts.size()) {
+    const std::string_view arguments = request.arguments.bytes;
+    const int start = decode<int>(arguments.substr(table_argument));
+    const Answer* answer = nullptr;
+    if (arguments.substr(0, table_argument) == ahead_->table)
+        answer = find_ahead(start);
+    if (answer == nullptr && ahead_->asked < ahead_->starts.size()) {
         asking_ahead_ = true;
         fetch_ahead(request);
         asking_ahead_ = false;
-        found = ahead_->answers.find(request.arguments.bytes);
+        answer = find_ahead(start);
     }
-    if (found == ahead_->answers.end()) return std::nullopt;
+    if (answer == nullptr) return std::nullopt;
     last_call_.walk.clear();
-    last_call_.reads = std::max<std::int64_t>(found->second.first, 0);
+    last_call_.reads = std::max<std::int64_t>(answer->reads, 0);
     request.walked->note_reads(last_call_.reads, {});
     answered_ = request;
-    return found->second.second;
+    return answer->result;
 }
 
 /// After asking ahead has failed, in whatever way.

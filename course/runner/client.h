@@ -119,12 +119,20 @@ private:
         const Copies* copies = nullptr;  ///< sent instead of the rows
     };
 
-    /// Answers to calls that were not made yet, by their arguments.
+    /// The answer to a call that was not made yet.
+    struct Answer {
+        std::int64_t reads;
+        std::string result;
+    };
+
+    /// Calls that are going to be made.
     struct Ahead {
         const HalfEdgeTable* he;
         std::vector<int> starts;
-        std::size_t asked;  ///< the first so many were asked for
-        std::map<std::string, std::pair<std::int64_t, std::string>> answers;
+        std::size_t next = 0;    ///< the first that was not made
+        std::size_t asked = 0;   ///< the first so many were asked for
+        std::string table = {};  ///< the argument that they have in common
+        std::vector<Answer> answers = {};  ///< of the last ones of these
     };
 
     void start_worker();
@@ -132,8 +140,7 @@ private:
     std::string ask(CallStatus kind, const Request& request);
     bool is_ahead(const Request& request) const;
     std::optional<std::string> answered_ahead(const Request& request);
-    std::string ask_for_many(const Request& request, const std::string& table,
-                             const std::vector<int>& starts);
+    const Answer* find_ahead(int start);
     void fetch_ahead(const Request& request);
     void begin_again();
     void check_cpu(std::int64_t used_us);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <sys/wait.h>
 
+#include <fstream>
 #include <optional>
 
 #include "course/runner/compile.h"
@@ -25,8 +26,8 @@ Finished run_step(std::vector<std::string> arguments) {
 /// Judge and sandbox are started first: both take as long to be ready as half
 /// of the compiler, and wait for it.
 ExerciseResult judge_function(Workplace& workplace, JudgeRun run,
-                              const fs::path& source) {
-    const TemporaryFolder folder;
+                              const fs::path& source,
+                              const TemporaryFolder& folder) {
     const fs::path shared = folder / "submission.so";
     DescriptorPair control = socket_pair();
     const Descriptor complaints = anonymous_file();
@@ -51,16 +52,50 @@ ExerciseResult judge_function(Workplace& workplace, JudgeRun run,
 
 /// A file that no student wrote by hand is not even opened.
 std::optional<ExerciseResult> too_large(const JudgeRun& run,
-                                        const fs::path& file) {
-    std::error_code no_file;
-    const std::uintmax_t size = fs::file_size(file, no_file);
+                                        std::uintmax_t size) {
     const auto most = static_cast<std::uintmax_t>(Limits{}.source_kib) << 10;
-    if (no_file || size <= most) return std::nullopt;
+    if (size <= most) return std::nullopt;
     ExerciseResult result =
         every_case(run.exercise, run.kind, Verdict::compile_error);
     result.message =
         fmt::format("the file has {} bytes; at most {} are taken", size, most);
     return result;
+}
+
+ExerciseResult judge(Workplace& workplace, JudgeRun run, const fs::path& file,
+                     const TemporaryFolder& folder) {
+    if (!run.exercise.is_data)
+        return judge_function(workplace, std::move(run), file, folder);
+    run.submitted = fs::absolute(file);
+    return RunningJudge(run).result();
+}
+
+/// Runs `work`; what goes wrong in it is our fault.
+template <class Work>
+ExerciseResult or_fault(Work work) {
+    try {
+        return work();
+    } catch (const std::exception& error) {
+        ExerciseResult fault;
+        fault.message = error.what();
+        return fault;
+    }
+}
+
+JudgeRun run_of(const Exercise& exercise, JudgeKind kind,
+                const std::vector<std::uint64_t>& seeds) {
+    JudgeRun run;
+    run.exercise = exercise;
+    run.kind = kind;
+    run.seeds = seeds;
+    return run;
+}
+
+void write_file(const fs::path& file, const std::string& bytes) {
+    std::ofstream out(file, std::ios::binary);
+    out << bytes;
+    out.close();
+    if (!out) throw SystemError("cannot write " + file.string());
 }
 
 /// The compiler's driver says only that one of its programs was killed.
@@ -123,23 +158,29 @@ Process LocalWorkplace::launch(const fs::path& shared,
 }
 
 ExerciseResult judge_submission(Workplace& workplace, const Exercise& exercise,
-                                const fs::path& file, JudgeKind kind,
+                                const std::filesystem::path& file,
+                                JudgeKind kind,
                                 const std::vector<std::uint64_t>& seeds) {
-    try {
-        JudgeRun run;
-        run.exercise = exercise;
-        run.kind = kind;
-        run.seeds = seeds;
-        if (auto refused = too_large(run, file)) return *refused;
-        if (!exercise.is_data)
-            return judge_function(workplace, std::move(run), file);
-        run.submitted = fs::absolute(file);
-        return RunningJudge(run).result();
-    } catch (const std::exception& error) {
-        ExerciseResult fault;
-        fault.message = error.what();
-        return fault;
-    }
+    return or_fault([&] {
+        JudgeRun run = run_of(exercise, kind, seeds);
+        std::error_code no_file;
+        const std::uintmax_t size = fs::file_size(file, no_file);
+        if (auto refused = too_large(run, no_file ? 0 : size)) return *refused;
+        return judge(workplace, std::move(run), file, TemporaryFolder());
+    });
+}
+
+ExerciseResult judge_source(Workplace& workplace, const Exercise& exercise,
+                            const std::string& source, JudgeKind kind,
+                            const std::vector<std::uint64_t>& seeds) {
+    return or_fault([&] {
+        JudgeRun run = run_of(exercise, kind, seeds);
+        if (auto refused = too_large(run, source.size())) return *refused;
+        const TemporaryFolder folder;
+        const fs::path file = folder / exercise.file_name();
+        write_file(file, source);
+        return judge(workplace, std::move(run), file, folder);
+    });
 }
 
 }  // namespace course

@@ -57,6 +57,11 @@ ExerciseResult judge_submission(Workplace& workplace, const Exercise& exercise,
                                 JudgeKind kind,
                                 const std::vector<std::uint64_t>& seeds);
 
+/// The same for a file that is in memory.
+ExerciseResult judge_source(Workplace& workplace, const Exercise& exercise,
+                            const std::string& source, JudgeKind kind,
+                            const std::vector<std::uint64_t>& seeds);
+
 /// The compile step's end as lab and grader understand it: `linked` has the
 /// output of the compiler.
 Compiled compiled_from(const Finished& finished,

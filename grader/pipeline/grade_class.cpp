@@ -72,6 +72,7 @@ void Grading::begin() {
     facts.seed = run_.judging.seed;
     facts.jobs = run_.jobs;
     facts.notes = run_.submitted.notes;
+    facts.proposed = run_.propose;
     for (const Exercise& exercise : run_.exercises)
         facts.suites.push_back({exercise.full_name(), exercise.file_name(),
                                 keys_.suite_version(exercise),

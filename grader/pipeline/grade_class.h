@@ -20,6 +20,7 @@ struct ClassRun {
     Judging judging;
     int jobs = 1;
     std::string isolation;  ///< in words
+    bool propose = false;   ///< see Run::proposed
 };
 
 struct Progress {

@@ -1,7 +1,5 @@
-#include <fstream>
 #include <mutex>
 
-#include "course/runner/temporary_folder.h"
 #include "grader/pipeline/executor.h"
 #include "grader/pipeline/keys.h"
 #include "grader/pipeline/pool.h"
@@ -17,18 +15,12 @@ constexpr int tries = 3;
 
 ExerciseResult judge_one(const Task& task, const Judging& judging,
                          course::Workplace& workplace) {
-    const course::TemporaryFolder folder;
-    const auto path = folder / task.exercise->file_name();
-    std::ofstream out(path, std::ios::binary);
-    out << task.source;
-    out.close();
-    if (!out) throw course::SystemError("cannot write " + path.string());
     const auto seeds =
         judging_seeds(judging.seed, judging.repeats, task.source);
     ExerciseResult result;
     for (int k = 0; k < tries; ++k) {
-        result = course::judge_submission(workplace, *task.exercise, path,
-                                          course::JudgeKind::grade, seeds);
+        result = course::judge_source(workplace, *task.exercise, task.source,
+                                      course::JudgeKind::grade, seeds);
         if (result.verdict != course::Verdict::grader_fault) break;
     }
     return result;

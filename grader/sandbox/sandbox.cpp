@@ -472,7 +472,7 @@ course::Compiled Sandbox::compile(const course::Exercise& exercise,
                                   const fs::path& source,
                                   const fs::path& shared) {
     const fs::path copy = shared.parent_path() / exercise.file_name();
-    fs::copy_file(source, copy);
+    if (copy != source) fs::copy_file(source, copy);
     const Descriptor out = open_file(shared, O_WRONLY | O_NOFOLLOW);
     let_others_read(shared.parent_path(), {copy});
     if (isolation_ == Isolation::landlock)

@@ -1,0 +1,194 @@
+#include "grader/cli/class_session.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+#include <string_view>
+
+#include "grader/pipeline/ingest.h"
+
+namespace grader {
+
+namespace {
+
+namespace fs = std::filesystem;
+using std::chrono::seconds;
+
+std::atomic<bool> interrupted = false;
+
+void on_interrupt(int signal) {
+    constexpr std::string_view words =
+        "\nStopping: what is being judged is finished first. Once more ends it "
+        "at once.\n";
+    interrupted = true;
+    std::signal(signal, SIG_DFL);
+    [[maybe_unused]] const ssize_t n =
+        ::write(STDERR_FILENO, words.data(), words.size());
+}
+
+std::string in_words(double left) {
+    if (left < 90) return fmt::format("{:.0f} s", left);
+    if (left < 5400) return fmt::format("{:.0f} min", left / 60);
+    return fmt::format("{:.1f} h", left / 3600);
+}
+
+/// How far a run is: at a terminal one line that is written over again and
+/// again, elsewhere a line each half minute.
+class ProgressLine {
+public:
+    void show(const Progress& progress) {
+        const course::Clock::time_point now = course::Clock::now();
+        if (!on_terminal_ && now < next_) return;
+        next_ = now + seconds(30);
+        fmt::print(stderr, "{}{}{}", on_terminal_ ? "\r" : "", text(progress),
+                   on_terminal_ ? " \033[K" : "\n");
+        std::fflush(stderr);
+    }
+    ~ProgressLine() {
+        if (on_terminal_) fmt::print(stderr, "\r\033[K");
+    }
+
+private:
+    std::string text(const Progress& progress) const {
+        std::string line =
+            fmt::format("{} of {} judged", progress.done, progress.all);
+        if (progress.failed > 0)
+            line += fmt::format(", {} failed", progress.failed);
+        if (progress.faults > 0)
+            line += fmt::format(", {} grader faults", progress.faults);
+        if (progress.done == 0) return line;
+        const double spent =
+            std::chrono::duration<double>(course::Clock::now() - start_)
+                .count();
+        const int left = progress.all - progress.done;
+        return line + fmt::format(", about {} left",
+                                  in_words(spent / progress.done * left));
+    }
+
+    bool on_terminal_ = ::isatty(STDERR_FILENO) == 1;
+    course::Clock::time_point start_ = course::Clock::now();
+    course::Clock::time_point next_ = start_ + seconds(30);
+};
+
+std::vector<std::string> names_of(
+    const std::vector<course::Exercise>& exercises) {
+    std::vector<std::string> names;
+    for (const course::Exercise& exercise : exercises)
+        names.push_back(exercise.full_name());
+    return names;
+}
+
+Assignment assignment_of(const ClassOptions& options,
+                         const std::vector<std::string>& names) {
+    if (options.assignment.empty()) return default_assignment(names);
+    try {
+        return read_assignment(options.assignment, names);
+    } catch (const AssignmentError& error) {
+        throw CannotBegin(error.what());
+    }
+}
+
+SubmittedClass submissions_of(const ClassOptions& options,
+                              const std::vector<course::Exercise>& exercises) {
+    std::vector<std::string> files;
+    for (const course::Exercise& exercise : exercises)
+        files.push_back(exercise.file_name());
+    try {
+        SubmittedClass found = find_submissions(options.dir, files);
+        const auto is_meant = [&](const Submission& s) {
+            return s.id == options.only || s.student == options.only;
+        };
+        if (!options.only.empty() &&
+            std::none_of(found.submissions.begin(), found.submissions.end(),
+                         is_meant))
+            throw CannotBegin(
+                fmt::format("{} has no folder or archive of \"{}\"",
+                            options.dir.string(), options.only));
+        return found;
+    } catch (const IngestError& error) {
+        throw CannotBegin(error.what());
+    }
+}
+
+/// Two graders in one folder would grade everything twice. Given back by the
+/// system, also when this process is killed.
+course::Descriptor lock_folder(const fs::path& folder) {
+    course::Descriptor lock(
+        ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+    if (!lock) course::throw_errno("cannot open " + folder.string());
+    // Where a file system has no locks, the gradebook's own still hold.
+    if (::flock(lock.get(), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
+        throw CannotBegin(fmt::format(
+            "{}: another grader is at work there; wait for its end, or choose "
+            "another folder",
+            folder.string()));
+    return lock;
+}
+
+ClassRun class_run(const ClassOptions& options, const Assignment& assignment) {
+    ClassRun run;
+    for (const Assignment::Item& item : assignment.exercises)
+        run.exercises.push_back(
+            course::exercise_named(std::string(short_name(item.exercise))));
+    run.submitted = submissions_of(options, run.exercises);
+    run.only = options.only;
+    run.judging = {options.judging.seed, options.judging.repeats};
+    return run;
+}
+
+course::Descriptor make_and_lock(const fs::path& folder) {
+    fs::create_directories(folder);
+    return lock_folder(folder);
+}
+
+}  // namespace
+
+void ClassOptions::add_to(CLI::App& app) {
+    app.add_option("dir", dir,
+                   "the folder of the class, or an archive of it (.zip, "
+                   ".tar, .tar.gz, .tgz, .tar.bz2, .tar.xz, .tar.zst)")
+        ->required();
+    app.add_option("--out", out, "folder for gradebook, grades and reports")
+        ->required();
+    app.add_option("--assignment", assignment,
+                   "which exercises, with which weights (default: all)");
+    app.add_option("--only", only,
+                   "judge only this student (name of the folder or archive, "
+                   "or id)");
+    judging.add_to(app);
+    executor.add_to(app);
+}
+
+ClassSession::ClassSession(const ClassOptions& options)
+    : assignment_(assignment_of(options, names_of(course::all_exercises()))),
+      run_(class_run(options, assignment_)),
+      bench_(options.judging),
+      lock_(make_and_lock(options.out)),
+      gradebook_(options.out / "gradebook.sqlite"),
+      executor_(
+          executor_for(options.executor, bench_, run_.judging, options.out)) {
+    run_.jobs = bench_.jobs();
+    run_.isolation = bench_.isolation_text();
+    fmt::print(stderr, "Isolation: {}\n", run_.isolation);
+}
+
+ClassRunResult ClassSession::grade(bool propose) {
+    run_.propose = propose;
+    std::signal(SIGINT, on_interrupt);
+    std::signal(SIGTERM, on_interrupt);
+    ProgressLine line;
+    return grade_class(
+        run_, gradebook_, *executor_,
+        [&](const Progress& progress) { line.show(progress); },
+        []() -> bool { return interrupted; });
+}
+
+}  // namespace grader

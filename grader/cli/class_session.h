@@ -1,0 +1,52 @@
+// What the commands have in common that grade a class into a folder.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "course/runner/descriptors.h"
+#include "grader/cli/commands.h"
+#include "grader/gradebook/gradebook.h"
+#include "grader/pipeline/assignment.h"
+#include "grader/pipeline/grade_class.h"
+
+namespace grader {
+
+struct ClassOptions {
+    std::filesystem::path dir;
+    std::filesystem::path out;
+    std::filesystem::path assignment;
+    std::string only;
+    JudgingOptions judging;
+    ExecutorOptions executor;
+
+    void add_to(CLI::App& app);
+};
+
+/// A class and the folder with its gradebook, which nobody else grades into as
+/// long as this lives.
+class ClassSession {
+public:
+    /// Reads the class. Throws CannotBegin.
+    explicit ClassSession(const ClassOptions& options);
+
+    /// Judges what has no result yet; see Run::proposed. Says on the error
+    /// stream how far it is. On Ctrl-C the submissions at work are finished
+    /// and the rest is left; a second one ends the process at once, and loses
+    /// these few.
+    ClassRunResult grade(bool propose);
+
+    const Assignment& assignment() const { return assignment_; }
+    const SubmittedClass& submitted() const { return run_.submitted; }
+    Gradebook& gradebook() { return gradebook_; }
+
+private:
+    Assignment assignment_;
+    ClassRun run_;
+    Bench bench_;
+    course::Descriptor lock_;
+    Gradebook gradebook_;
+    std::unique_ptr<Executor> executor_;
+};
+
+}  // namespace grader

@@ -65,8 +65,9 @@ public:
     /// A case begins: the next call gets a fresh worker.
     void begin_case();
 
-    /// Another limit of CPU time for all calls of this case; before its first
-    /// call.
+    /// Another limit of CPU time for all calls of this case, also where they
+    /// take memory: more time than this spent in them fails the case at its
+    /// end. Before its first call.
     void limit_cpu(std::chrono::milliseconds most);
 
     /// The table is made of copies: the worker is sent these, and makes it.
@@ -143,7 +144,7 @@ private:
     const Answer* find_ahead(int start);
     void fetch_ahead(const Request& request);
     void begin_again();
-    void check_cpu(std::int64_t used_us);
+    void check_time(std::chrono::milliseconds used);
     LauncherEvent wait_for_event(Event wanted, std::chrono::milliseconds most);
     SentTable& known_table(const HalfEdgeTable& table);
     Clock::time_point deadline() const;
@@ -175,6 +176,8 @@ private:
     Clock::time_point run_end_;
     std::list<SentTable> sent_;
     std::optional<Ahead> ahead_;
+    std::uint64_t nonce_ = 0;    ///< of the last request
+    bool is_strict_ = false;     ///< that limit is one for the whole case
     bool one_by_one_ = false;    ///< asking ahead has failed once
     bool was_endless_ = false;   ///< some worker ran out of CPU time
     bool asking_ahead_ = false;  ///< a failure now is none of the submission's

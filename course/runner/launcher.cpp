@@ -48,11 +48,10 @@ void limit(Resource resource, rlim_t value) {
 }
 
 void set_limits(const Limits& limits) {
-    // A signal may be caught, the limit behind it may not.
-    const itimerval timer{{0, 0},
-                          {limits.cpu_ms / 1000, limits.cpu_ms % 1000 * 1000}};
+    const timeval interval{limits.cpu_ms / 1000, limits.cpu_ms % 1000 * 1000};
+    const itimerval timer{interval, interval};
     if (::setitimer(ITIMER_PROF, &timer, nullptr) != 0) give_up();
-    limit(RLIMIT_CPU, static_cast<rlim_t>(limits.cpu_ms / 1000 + 1));
+    limit(RLIMIT_CPU, static_cast<rlim_t>(limits.cpu_seconds));
     limit(RLIMIT_FSIZE, static_cast<rlim_t>(limits.output_kib) << 10);
     limit(RLIMIT_STACK, static_cast<rlim_t>(limits.stack_mib) << 20);
     limit(RLIMIT_CORE, 0);
@@ -114,16 +113,23 @@ private:
                const std::vector<Descriptor>& passed);
     void end_worker() const;
     void collect();
-    void tell(Event event, std::int32_t status, std::int64_t cpu_us = 0) const;
+    void tell(Event event, std::int32_t status, const rusage& usage = {}) const;
 
     const LauncherOptions& options_;
     pid_t worker_ = -1;
     std::uint32_t generation_ = 0;
 };
 
+std::int64_t microseconds(const timeval& t) {
+    return std::int64_t{1'000'000} * t.tv_sec + t.tv_usec;
+}
+
 void Launcher::tell(Event event, std::int32_t status,
-                    std::int64_t cpu_us) const {
-    const LauncherEvent message{event, generation_, status, 0, cpu_us};
+                    const rusage& usage) const {
+    const std::int64_t user_us = microseconds(usage.ru_utime);
+    const LauncherEvent message{event, generation_, status,
+                                static_cast<std::int32_t>(user_us / 1000),
+                                user_us + microseconds(usage.ru_stime)};
     if (!write_all(options_.control, &message, sizeof message)) ::_exit(0);
 }
 
@@ -160,10 +166,6 @@ void Launcher::obey(const LauncherOrder& order,
         end_worker();
 }
 
-std::int64_t microseconds(const timeval& t) {
-    return std::int64_t{1'000'000} * t.tv_sec + t.tv_usec;
-}
-
 /// Collects ended processes; when the worker is among them, ends all that it
 /// may have started, and says so only when nothing of it is left.
 void Launcher::collect() {
@@ -179,8 +181,7 @@ void Launcher::collect() {
             }
         }
         worker_ = -1;
-        tell(Event::ended, status,
-             microseconds(usage.ru_utime) + microseconds(usage.ru_stime));
+        tell(Event::ended, status, usage);
     }
 }
 

@@ -14,10 +14,12 @@ struct Limits {
     std::int32_t later_call_ms = 200;
     /// Calls that may run out of time before the remaining cases are not run.
     std::int32_t max_timeouts = 4;
-    /// Wall time of one case (one worker), and its CPU time: an endless loop
-    /// that reads no table is found out by this. After the first of them the
-    /// next cases get less.
+    /// Wall time and CPU time of one case (one worker).
     std::int32_t case_ms = 5000;
+    std::int32_t cpu_seconds = 4;
+    /// CPU time in which it must end or take more memory: an endless loop that
+    /// reads no table is found out by this, and one that takes memory goes on
+    /// to its limit. After the first of them the next cases get less.
     std::int32_t cpu_ms = 250;
     std::int32_t later_cpu_ms = 100;
     /// Wall time of all cases together, of each run of them: slow answers that

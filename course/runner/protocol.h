@@ -24,9 +24,9 @@ struct LauncherOrder {
 struct LauncherEvent {
     Event event;
     std::uint32_t generation;
-    std::int32_t status;  ///< as from waitpid, or errno when not started
-    std::int32_t unused;
-    std::int64_t cpu_us;  ///< user and system time of the worker
+    std::int32_t status;   ///< as from waitpid, or errno when not started
+    std::int32_t user_ms;  ///< user time of the worker
+    std::int64_t cpu_us;   ///< user and system time of the worker
 };
 
 // ---- judge and worker: the worker is hostile
@@ -51,8 +51,8 @@ enum class CallStatus : std::uint32_t {
 /// arguments; a table is named by its id and its read budget. One for many
 /// calls has instead of the arguments their number, and for each the length of
 /// its arguments and they; to which the reply `returned` has, behind the trace
-/// of the last call, the reads, the length of the result and the result of
-/// each. One call that fails is the reply to all.
+/// of the last call, the nonce, the reads, the length of the result and the
+/// result of each. One call that fails is the reply to all.
 struct FrameHead {
     std::uint32_t magic;
     CallStatus status;     ///< of a request: returned for one call, or many

@@ -195,7 +195,7 @@ std::vector<Fixture> generated_fixtures() {
 namespace {
 
 LargeMesh copies_of_grid() {
-    constexpr int side = 25, count = 385;
+    constexpr int side = 25, count = 387;
     const IndexedMesh mesh = grid(side, side);
     const HalfEdgeTable tile = build(mesh);
     Copies copies{tile.rows(), mesh.vertex_count(), mesh.faces.size(), count,
@@ -222,7 +222,7 @@ std::vector<int> renamed(std::vector<int> list, const MixedNumbers& numbers,
 const LargeMesh& a_million_half_edges() {
     static const LargeMesh mesh = copies_of_grid();
     if (Client::current() != nullptr) {
-        Client::current()->limit_cpu(std::chrono::milliseconds(300));
+        Client::current()->limit_cpu(large_mesh_cpu);
         Client::current()->send_as(mesh.he, mesh.copies);
     }
     return mesh;

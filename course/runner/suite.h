@@ -3,6 +3,7 @@
 // a submission that lives in another process.
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -68,7 +69,7 @@ struct LargeMesh {
 };
 
 /// For cases where the cost must not depend on the size of the mesh. Before the
-/// first call of a case; its calls then have 300 ms of CPU time in all.
+/// first call of a case; its calls then have large_mesh_cpu in all.
 /// Made once, in some 10 ms.
 const LargeMesh& a_million_half_edges();
 
@@ -105,9 +106,11 @@ public:
 std::vector<int> all_half_edges(const HalfEdgeTable& he);
 
 /// How many calls on it a case makes: more than any scan of a million rows can
-/// answer in that time, even one that does not let itself be counted (0.15 to
-/// 0.3 ms for one with vector instructions); a walk has 90 us for each.
-inline constexpr int many_calls = 3000;
+/// answer in that time, even one that does not let itself be counted (0.2 ms
+/// for one with vector instructions, half of it where it ends when it has found
+/// what it looks for); a walk has 50 us for each.
+inline constexpr int many_calls = 5000;
+inline constexpr std::chrono::milliseconds large_mesh_cpu{250};
 
 /// A matcher that normalises both sides and compares.
 template <class List>

@@ -84,8 +84,8 @@ Behaviour replies(CallStatus status, const std::string& body) {
 /// all others are honest.
 class FakeLauncher {
 public:
-    FakeLauncher(Behaviour first, int status, std::int64_t cpu_us)
-        : first_(std::move(first)), status_(status), cpu_us_(cpu_us) {
+    FakeLauncher(Behaviour first, int status, int user_ms)
+        : first_(std::move(first)), status_(status), user_ms_(user_ms) {
         DescriptorPair ends = socket_pair();
         judge_end_ = std::move(ends.first);
         control_ = std::move(ends.second);
@@ -104,7 +104,7 @@ public:
 
 private:
     void tell(Event event, int status = 0) {
-        const LauncherEvent e{event, generation_, status, 0, cpu_us_};
+        const LauncherEvent e{event, generation_, status, user_ms_, 0};
         send_bytes(control_.get(), raw(e));
     }
 
@@ -145,7 +145,7 @@ private:
 
     Behaviour first_;
     int status_;
-    std::int64_t cpu_us_;
+    int user_ms_;
     Descriptor judge_end_, control_, channel_;
     std::thread thread_, worker_;
     std::atomic<std::uint32_t> generation_ = 0;
@@ -172,8 +172,8 @@ struct Outcome {
 class Judge {
 public:
     explicit Judge(Behaviour first, int status = 0,
-                   Limits limits = short_limits(), std::int64_t cpu_us = 0)
-        : launcher_(std::move(first), status, cpu_us),
+                   Limits limits = short_limits(), int user_ms = 0)
+        : launcher_(std::move(first), status, user_ms),
           client_(launcher_.judge_end(), limits) {
         Client::set_current(&client_);
         client_.on_failure = [this](Verdict verdict, const std::string& why) {
@@ -558,22 +558,39 @@ TEST_CASE("a forged account of a crash is read within its bounds") {
 }
 
 TEST_CASE("calls that were asked for ahead get the answers to their own") {
-    const auto many = [](const std::string& results) {
-        return replies(CallStatus::returned, trace(0, {}) + results);
+    const auto result = [](const Asked& asked, int value) {
+        return encode(asked.head.nonce) + encode(std::int64_t{7}) +
+               encode(encode(value));
     };
-    const auto result = [](int value) {
-        return encode(std::int64_t{7}) + encode(encode(value));
+    const auto many = [](const std::function<std::string(const Asked&)>& all) {
+        return sends([all](const Asked& asked) {
+            return reply(asked, CallStatus::returned,
+                         trace(0, {}) + all(asked));
+        });
     };
-    Judge judge(many(result(30) + result(44)));
+    Judge judge(many([&](const Asked& asked) {
+        return result(asked, 30) + result(asked, 44);
+    }));
     judge.client().begin_case();
     judge.client().ask_ahead(judge.slide().he, {3, 4});
     CHECK(judge.call().value == 44);  // calls with 4
     CHECK(judge.client().last_call().reads == 7);
     judge.client().end_case();
     CHECK(judge.workers() == 1);
-    for (const std::string& wrong :
-         {std::string(), result(1), result(1) + result(2) + result(3)}) {
-        Judge hostile(many(wrong));
+    using Results = std::function<std::string(const Asked&)>;
+    const std::vector<Results> wrong = {
+        [](const Asked&) { return std::string(); },
+        [&](const Asked& asked) { return result(asked, 1); },
+        [&](const Asked& asked) {
+            return result(asked, 1) + result(asked, 2) + result(asked, 3);
+        },
+        [&](const Asked& asked) {
+            Asked changed;
+            changed.head.nonce = asked.head.nonce ^ 1;
+            return result(changed, 1) + result(changed, 2);
+        }};
+    for (const Results& results : wrong) {
+        Judge hostile(many(results));
         hostile.client().begin_case();
         hostile.client().ask_ahead(hostile.slide().he, {3, 4});
         // Forgotten; the next worker is asked for this one alone.
@@ -581,8 +598,10 @@ TEST_CASE("calls that were asked for ahead get the answers to their own") {
         CHECK(hostile.workers() == 2);
         hostile.client().end_case();
     }
-    Judge hostile(
-        many(result(1) + encode(std::int64_t{0}) + encode(std::string("x"))));
+    Judge hostile(many([&](const Asked& asked) {
+        return result(asked, 1) + encode(asked.head.nonce) +
+               encode(std::int64_t{0}) + encode(std::string("x"));
+    }));
     hostile.client().begin_case();
     hostile.client().ask_ahead(hostile.slide().he, {3, 4});
     const Outcome outcome = hostile.call();
@@ -622,9 +641,10 @@ TEST_CASE("where asking ahead fails, a fresh worker is asked one by one") {
 TEST_CASE("a failed check shows the walk of a call that was answered ahead") {
     const auto both = [](int channel) {
         if (const auto asked = request(channel))
-            send_bytes(channel, reply(*asked, CallStatus::returned,
-                                      trace(0, {}) + encode(std::int64_t{7}) +
-                                          encode(encode(44))));
+            send_bytes(channel,
+                       reply(*asked, CallStatus::returned,
+                             trace(0, {}) + encode(asked->head.nonce) +
+                                 encode(std::int64_t{7}) + encode(encode(44))));
         honest(channel);
     };
     Judge judge(both);
@@ -639,12 +659,12 @@ TEST_CASE("a failed check shows the walk of a call that was answered ahead") {
 
 TEST_CASE("a case fails whose calls took more time than they have in all") {
     using std::chrono::milliseconds;
-    constexpr std::int64_t used_us = 400'000;
+    constexpr int used_ms = 400;
     for (const auto& [most, verdict] :
          {std::pair{milliseconds(399),
                     std::optional(Verdict::time_limit_exceeded)},
           std::pair{milliseconds(400), std::optional<Verdict>()}}) {
-        Judge judge(honest, 0, short_limits(), used_us);
+        Judge judge(honest, 0, short_limits(), used_ms);
         judge.client().begin_case();
         judge.client().limit_cpu(most);
         CHECK(judge.call().value == 4);

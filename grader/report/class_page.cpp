@@ -404,7 +404,6 @@ Html run_section(const ClassSummary& results) {
 <tbody>
 <tr><th>sandbox</th><td>{}</td></tr>
 <tr><th>seed</th><td>{}</td></tr>
-<tr><th>jobs</th><td>{}</td></tr>
 <tr><th>grader</th><td>{}</td></tr>
 </tbody>
 </table>
@@ -416,8 +415,7 @@ Html run_section(const ClassSummary& results) {
 {}</tbody>
 </table>
 )",
-                  run.sandbox, run.seed, run.jobs, run.version,
-                  suite_rows(results));
+                  run.sandbox, run.seed, run.version, suite_rows(results));
 }
 
 }  // namespace

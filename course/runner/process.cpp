@@ -12,6 +12,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
+#include <set>
 #include <thread>
 
 namespace course {
@@ -109,7 +110,51 @@ bool read_to_end(int fd, Capture& capture, Clock::time_point until) {
     }
 }
 
+/// The end of a pipe to the process that outlives this one by a moment. It is
+/// told each program that has been started (its number) and ended (minus that).
+int to_warden = -1;
+
+void tell_warden(std::int32_t program) {
+    if (to_warden < 0) return;
+    [[maybe_unused]] const ssize_t n =
+        ::write(to_warden, &program, sizeof program);
+}
+
+/// Reads until the other process is gone, then ends what it left.
+[[noreturn]] void be_warden(int from) {
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT})
+        std::signal(signal, SIG_IGN);
+    ::dup2(from, 0);
+#ifdef __linux__
+    ::close_range(1, ~0U, 0);
+#else
+    for (int fd = 1; fd < 256; ++fd) ::close(fd);
+#endif
+    std::set<pid_t> running;
+    std::int32_t program = 0;
+    while (read_all(0, &program, sizeof program))
+        if (program > 0)
+            running.insert(program);
+        else
+            running.erase(-program);
+    for (const pid_t one : running) ::kill(-one, SIGKILL);
+    ::_exit(0);
+}
+
 }  // namespace
+
+void end_programs_with_this_process() {
+    DescriptorPair pipe = pipe_pair();
+    const pid_t pid = ::fork();
+    if (pid < 0) throw_errno("fork");
+    if (pid == 0) {
+        pipe.second.reset();
+        be_warden(pipe.first.get());
+    }
+    static Descriptor kept;
+    kept = std::move(pipe.second);
+    to_warden = kept.get();
+}
 
 std::vector<std::string> plain_environment() {
     const char* path = std::getenv("PATH");
@@ -145,6 +190,7 @@ Process::Process(const Command& command) {
                                       command.arguments.at(0),
                                       std::strerror(error)));
     }
+    tell_warden(pid_);
 }
 
 Process::~Process() {
@@ -156,8 +202,14 @@ int Process::wait() {
     int status = 0;
     while (pid_ > 0 && ::waitpid(pid_, &status, 0) < 0 && errno == EINTR) {
     }
-    pid_ = -1;
+    forget();
     return status;
+}
+
+/// It has been collected: its number may be another's from now on.
+void Process::forget() {
+    if (pid_ > 0) tell_warden(-pid_);
+    pid_ = -1;
 }
 
 void Process::kill() {
@@ -169,7 +221,7 @@ void Process::kill() {
 void Process::end_within(std::chrono::milliseconds most) {
     const auto until = Clock::now() + most;
     while (pid_ > 0 && Clock::now() < until) {
-        if (::waitpid(pid_, nullptr, WNOHANG) == pid_) pid_ = -1;
+        if (::waitpid(pid_, nullptr, WNOHANG) == pid_) forget();
         if (pid_ > 0)
             std::this_thread::sleep_for(std::chrono::microseconds(300));
     }

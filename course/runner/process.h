@@ -47,8 +47,16 @@ public:
     void end_within(std::chrono::milliseconds most);
 
 private:
+    void forget();
+
     pid_t pid_ = -1;
 };
+
+/// From now on, whatever kills this process, the programs that it has started
+/// end with it, and all in their process groups. A program usually asks the
+/// kernel for that itself, but may be killed between its own start and that of
+/// its child. Precondition: no other thread runs. Throws SystemError.
+void end_programs_with_this_process();
 
 /// What a program printed, and how it ended.
 struct Finished {

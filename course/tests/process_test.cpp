@@ -1,0 +1,70 @@
+// Other programs end with the one that started them.
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <csignal>
+#include <thread>
+
+#ifdef __linux__
+#include <sys/prctl.h>
+#endif
+
+#include "course/runner/catch2.h"
+#include "course/runner/process.h"
+
+using namespace course;
+using std::chrono::milliseconds;
+
+#ifdef __linux__
+
+namespace {
+
+Command sleeping() {
+    Command command;
+    command.arguments = {"sleep", "60"};
+    command.environment = plain_environment();
+    return command;
+}
+
+/// Collects every child that has ended; whether there is none left, soon.
+bool all_are_gone() {
+    const auto until = Clock::now() + std::chrono::seconds(20);
+    while (Clock::now() < until) {
+        if (::waitpid(-1, nullptr, WNOHANG) < 0) return true;
+        std::this_thread::sleep_for(milliseconds(5));
+    }
+    return false;
+}
+
+}  // namespace
+
+TEST_CASE("programs end with a process that is killed") {
+    // What loses its parent becomes a child of this test.
+    REQUIRE(::prctl(PR_SET_CHILD_SUBREAPER, 1) == 0);
+    DescriptorPair ready = pipe_pair();
+    const pid_t starter = ::fork();
+    if (starter == 0) {
+        end_programs_with_this_process();
+        const Process one(sleeping()), other(sleeping());
+        { Process ended(sleeping()); }
+        write_all(ready.second.get(), "r", 1);
+        for (;;) ::pause();
+    }
+    char byte = 0;
+    REQUIRE(read_all(ready.first.get(), &byte, 1));
+    ::kill(starter, SIGKILL);
+    CHECK(all_are_gone());
+}
+
+TEST_CASE("a process that ends by itself leaves nobody waiting") {
+    REQUIRE(::prctl(PR_SET_CHILD_SUBREAPER, 1) == 0);
+    const pid_t starter = ::fork();
+    if (starter == 0) {
+        end_programs_with_this_process();
+        ::_exit(0);
+    }
+    CHECK(all_are_gone());
+}
+
+#endif

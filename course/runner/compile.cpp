@@ -76,8 +76,8 @@ std::vector<std::string> compile_arguments(const std::string& source,
     for (std::string flag; flags >> flag;) arguments.push_back(flag);
     for (const std::string& argument :
          {std::string("-I") + include, std::string("-include"),
-          include + "/" + header, std::string("-c"), source, std::string("-o"),
-          object})
+          fmt::format("{}/{}", include, header), std::string("-c"), source,
+          std::string("-o"), object})
         arguments.push_back(argument);
     return arguments;
 }

@@ -48,7 +48,8 @@ void limit(Resource resource, rlim_t value) {
 }
 
 void set_limits(const Limits& limits) {
-    const timeval interval{limits.cpu_ms / 1000, limits.cpu_ms % 1000 * 1000};
+    const timeval interval{limits.cpu_ms / 1000,
+                           limits.cpu_ms % 1000 * suseconds_t{1000}};
     const itimerval timer{interval, interval};
     if (::setitimer(ITIMER_PROF, &timer, nullptr) != 0) give_up();
     limit(RLIMIT_CPU, static_cast<rlim_t>(limits.cpu_seconds));

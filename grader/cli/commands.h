@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "grader/pipeline/executor.h"
 #include "grader/sandbox/sandbox.h"
 
 namespace grader {
@@ -38,6 +39,7 @@ public:
     explicit Bench(const JudgingOptions& options);
 
     const Stage& stage() const { return stage_; }
+    Isolation isolation() const { return isolation_; }
     int jobs() const { return jobs_; }
     std::string isolation_text() const;
     std::unique_ptr<course::Workplace> workplace(int lane) const;
@@ -48,12 +50,32 @@ private:
     int jobs_;
 };
 
+/// Options of a class's run: who judges.
+struct ExecutorOptions {
+    std::string name = "local";  ///< or "slurm", and then:
+    std::size_t chunk = 0;       ///< 0: chosen
+    std::string partition;
+    std::string sbatch;  ///< arguments of it
+    int grace = 30;      ///< seconds
+
+    void add_to(CLI::App& app);
+};
+
+/// The executor; that of a cluster has its jobs below `out`. `bench` lives at
+/// least as long.
+std::unique_ptr<Executor> executor_for(const ExecutorOptions& options,
+                                       const Bench& bench,
+                                       const Judging& judging,
+                                       const std::filesystem::path& out);
+
 /// Adds the command to the program; `code` is set when it runs.
 void add_run(CLI::App& program, int& code);
+void add_regrade(CLI::App& program, int& code);
 void add_judge(CLI::App& program, int& code);
 void add_validate(CLI::App& program, int& code);
 void add_show(CLI::App& program, int& code);
 void add_release(CLI::App& program, int& code);
 void add_doctor(CLI::App& program, int& code);
+void add_work(CLI::App& program, int& code);
 
 }  // namespace grader

@@ -16,11 +16,13 @@ int main(int argc, char** argv) {
     program.require_subcommand(1);
     int code = 0;
     grader::add_run(program, code);
+    grader::add_regrade(program, code);
     grader::add_judge(program, code);
     grader::add_validate(program, code);
     grader::add_show(program, code);
     grader::add_release(program, code);
     grader::add_doctor(program, code);
+    grader::add_work(program, code);
     try {
         program.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

@@ -23,6 +23,7 @@ EdgeKind kind_with(int faces) {
 void check_edges_with(int faces, const Fixture& fixture) {
     const OnMesh on(fixture);
     const oracle::Border border(fixture);
+    const AskAhead ahead(fixture.he, oracle::sample(fixture.he));
     for (const int i : oracle::sample(fixture.he))
         if (border.faces_at(i) == faces)
             CHECK(edge_kind(fixture.he, i) == kind_with(faces));

@@ -21,6 +21,7 @@ int vertex_of(const Fixture& fixture, int i) {
 void check_vertices(const Fixture& fixture) {
     const OnMesh on(fixture);
     const oracle::Border border(fixture);
+    const AskAhead ahead(fixture.he, oracle::sample(fixture.he));
     for (const int i : oracle::sample(fixture.he))
         CHECK(is_border_vertex(fixture.he, i) ==
               border.touches(vertex_of(fixture, i)));

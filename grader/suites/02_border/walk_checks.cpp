@@ -21,6 +21,7 @@ const HalfEdge& row(const Fixture& fixture, int i) {
 void from_the_border(Walk boundary_walk, const Fixture& fixture) {
     const OnMesh on(fixture);
     const oracle::Border border(fixture);
+    const AskAhead ahead(fixture.he, oracle::sample(fixture.he));
     for (const int i : oracle::sample(fixture.he))
         if (border.has(i))
             CHECK_THAT(boundary_walk(fixture.he, i),
@@ -30,6 +31,7 @@ void from_the_border(Walk boundary_walk, const Fixture& fixture) {
 void from_beside_the_border(Walk boundary_walk, const Fixture& fixture) {
     const OnMesh on(fixture);
     const oracle::Border border(fixture);
+    const AskAhead ahead(fixture.he, oracle::sample(fixture.he));
     for (const int i : oracle::sample(fixture.he))
         if (!border.has(i) && border.faces_at(i) == 1)
             CHECK_THAT(boundary_walk(fixture.he, i),
@@ -39,6 +41,7 @@ void from_beside_the_border(Walk boundary_walk, const Fixture& fixture) {
 void from_within(Walk boundary_walk, const Fixture& fixture) {
     const OnMesh on(fixture);
     const oracle::Border border(fixture);
+    const AskAhead ahead(fixture.he, oracle::sample(fixture.he));
     for (const int i : oracle::sample(fixture.he))
         if (border.faces_at(i) == 2)
             CHECK(boundary_walk(fixture.he, i) == std::vector<int>{});

@@ -36,6 +36,10 @@ ExerciseResult judge_function(Workplace& workplace, JudgeRun run,
     run.control = std::move(control.first);
     RunningJudge judge(run);
     run.control.reset();
+    if (const auto processor = workplace.processor()) {
+        launcher.keep_on(*processor);
+        judge.keep_on(*processor);
+    }
     const Compiled compiled = workplace.compile(run.exercise, source, shared);
     if (compiled.verdict != Verdict::accepted) {
         ExerciseResult result = judge.instead(compiled.verdict);

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,10 @@ struct Compiled {
 class Workplace {
 public:
     virtual ~Workplace() = default;
+
+    /// The processor for judge and worker: they talk to each other without
+    /// end, and never at the same time. None: any.
+    virtual std::optional<int> processor() const { return std::nullopt; }
 
     /// Compiles `source` and links it for its exercise into `shared`, after
     /// launch.

@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <poll.h>
+#include <sched.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -210,6 +211,15 @@ int Process::wait() {
 void Process::forget() {
     if (pid_ > 0) tell_warden(-pid_);
     pid_ = -1;
+}
+
+void Process::keep_on([[maybe_unused]] int processor) {
+#ifdef __linux__
+    cpu_set_t one;
+    CPU_ZERO(&one);
+    CPU_SET(static_cast<std::size_t>(processor), &one);
+    if (pid_ > 0) ::sched_setaffinity(pid_, sizeof one, &one);
+#endif
 }
 
 void Process::kill() {

@@ -37,6 +37,10 @@ public:
     /// Waits for the end; the status as from waitpid.
     int wait();
 
+    /// Runs it, and all that it starts from now on, on that processor only;
+    /// where that cannot be had, nothing changes.
+    void keep_on(int processor);
+
     /// Ends it at once; harmless when it has ended.
     void kill();
 

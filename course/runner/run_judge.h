@@ -50,6 +50,8 @@ public:
     /// gets as far as the judge. Throws SystemError.
     ExerciseResult instead(Verdict verdict);
 
+    void keep_on(int processor) { process_->keep_on(processor); }
+
 private:
     ExerciseResult report(std::chrono::milliseconds most);
 

@@ -2,11 +2,13 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sched.h>
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <csignal>
 #include <fstream>
 #include <sstream>
@@ -466,6 +468,18 @@ Sandbox::~Sandbox() {
     group_.reset();
     if (isolation_ == Isolation::landlock && is_root())
         kill_all_of(user_of(stage_, slot_));
+}
+
+/// Of those that this process may use, one for each lane.
+std::optional<int> Sandbox::processor() const {
+    cpu_set_t usable;
+    if (::sched_getaffinity(0, sizeof usable, &usable) != 0)
+        return std::nullopt;
+    int left = slot_ % std::max(CPU_COUNT(&usable), 1);
+    for (int k = 0; k < CPU_SETSIZE; ++k)
+        if (CPU_ISSET(static_cast<std::size_t>(k), &usable) && left-- == 0)
+            return k;
+    return std::nullopt;
 }
 
 course::Compiled Sandbox::compile(const course::Exercise& exercise,

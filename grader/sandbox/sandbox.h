@@ -93,6 +93,7 @@ public:
         : isolation_(isolation), stage_(stage), slot_(slot) {}
     ~Sandbox() override;
 
+    std::optional<int> processor() const override;
     course::Compiled compile(const course::Exercise& exercise,
                              const std::filesystem::path& source,
                              const std::filesystem::path& shared) override;

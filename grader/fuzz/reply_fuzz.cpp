@@ -89,11 +89,15 @@ public:
         play_worker(passed.at(0).get());
         passed.clear();
         tell(Event::ended);
+        // Where asking ahead has failed, another worker is asked for.
+        while (read_all(control_.get(), &order, sizeof order))
+            if (order.order == Order::start_worker)
+                tell(Event::not_started, order.generation);
     }
 
 private:
-    void tell(Event event) const {
-        const LauncherEvent message{event, 1, script_.status, 0, 0};
+    void tell(Event event, std::uint32_t generation = 1) const {
+        const LauncherEvent message{event, generation, script_.status, 0, 0};
         write_all(control_.get(), &message, sizeof message);
     }
 
@@ -218,22 +222,24 @@ Limits short_limits() {
 
 void play(const Script& script) {
     DescriptorPair control = socket_pair();
-    Client client(std::move(control.first),
-                  script.behaviour == Behaviour::worker_hangs ? short_limits()
-                                                              : Limits());
-    Client::set_current(&client);
+    std::optional<Client> client;
+    client.emplace(std::move(control.first),
+                   script.behaviour == Behaviour::worker_hangs ? short_limits()
+                                                               : Limits());
+    Client::set_current(&*client);
     Replay replay(script, std::move(control.second));
     const std::jthread other_end([&] { replay.run(); });
-    client.begin_case();
+    client->begin_case();
     fuzz::with_type(std::type_identity<fuzz::ResultTypes>(), script.type,
                     [&]<class R>(std::type_identity<R>) {
                         if (script.behaviour == Behaviour::asked_ahead)
-                            play_ahead<R>(client, script);
+                            play_ahead<R>(*client, script);
                         else
-                            play_judge<R>(client, script);
+                            play_judge<R>(*client, script);
                     });
-    fuzz::require(client.printed().empty(), "the worker printed nothing");
-    client.end_case();
+    fuzz::require(client->printed().empty(), "the worker printed nothing");
+    client->end_case();
+    client.reset();  // the other end then ends, too
 }
 
 }  // namespace

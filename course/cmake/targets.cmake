@@ -151,15 +151,42 @@ function(course_judge kind name)
                              ${CMAKE_BINARY_DIR}/judges/${kind})
 endfunction()
 
-# What the worker calls, compiled once, where the compile step finds it.
+# The reference solutions of the exercises that an exercise builds on: those
+# whose contracts its contract includes.
+function(course_references_before topic name result)
+    set(contract ${CMAKE_SOURCE_DIR}/exercises/${topic}/${name}.h)
+    course_included_headers(headers ${contract})
+    list(FILTER headers INCLUDE REGEX "^${CMAKE_SOURCE_DIR}/exercises/")
+    list(REMOVE_ITEM headers ${contract})
+    list(TRANSFORM headers REPLACE "^${CMAKE_SOURCE_DIR}/exercises/(.*)[.]h$"
+                                   "${CMAKE_SOURCE_DIR}/solutions/\\1.cpp")
+    set(${result} ${headers} PARENT_SCOPE)
+endfunction()
+
+# What the worker calls, compiled once, where the compile step finds it; with
+# the references that it may call (ARGN), whose names a submission may define
+# anew for itself.
 function(course_entry name)
     add_library(${name}_entry OBJECT ${CMAKE_BINARY_DIR}/glue/${name}_entry.cpp)
     course_options(${name}_entry)
+    set(entry $<TARGET_OBJECTS:${name}_entry>)
     set(file ${CMAKE_BINARY_DIR}/student/entries/${name}.o)
+    set(make_file ${CMAKE_COMMAND} -E copy ${entry} ${file})
+    if(ARGN)
+        add_library(${name}_before OBJECT ${ARGN})
+        course_options(${name}_before)
+        set(before $<TARGET_OBJECTS:${name}_before>)
+        set(weak ${CMAKE_BINARY_DIR}/glue/${name}_before.o)
+        set(make_file
+            ${CMAKE_LINKER} -r -o ${weak} ${before}
+            COMMAND ${CMAKE_OBJCOPY} --weaken ${weak}
+            COMMAND ${CMAKE_LINKER} -r -o ${file} ${entry} ${weak})
+    endif()
     add_custom_command(
         OUTPUT ${file}
-        COMMAND ${CMAKE_COMMAND} -E copy $<TARGET_OBJECTS:${name}_entry> ${file}
-        DEPENDS ${name}_entry $<TARGET_OBJECTS:${name}_entry>)
+        COMMAND ${make_file}
+        DEPENDS ${name}_entry ${entry} ${before}
+        COMMAND_EXPAND_LISTS)
     add_custom_target(${name}_entry_file ALL DEPENDS ${file})
     add_dependencies(lab_ready ${name}_entry_file)
 endfunction()
@@ -181,7 +208,13 @@ function(course_add_exercise topic name)
     else()
         set(proxy ${CMAKE_BINARY_DIR}/glue/${name}_proxy.cpp)
         set(reference ${CMAKE_SOURCE_DIR}/solutions/${topic}/${name}.cpp)
-        course_entry(${name})
+        course_references_before(${topic} ${name} before)
+        if(IS_DIRECTORY ${CMAKE_SOURCE_DIR}/solutions)
+            list(APPEND reference ${before})
+            course_entry(${name} ${before})
+        else()
+            course_entry(${name})
+        endif()
     endif()
     set(hidden ${CMAKE_SOURCE_DIR}/grader/suites/${topic}/${name}_test.cpp)
 
@@ -205,6 +238,10 @@ endfunction()
 function(course_add_all_exercises)
     file(GLOB contracts CONFIGURE_DEPENDS RELATIVE
          ${CMAKE_SOURCE_DIR}/exercises ${CMAKE_SOURCE_DIR}/exercises/*/*.h)
+    # A contract is read when the build is configured.
+    list(TRANSFORM contracts PREPEND ${CMAKE_SOURCE_DIR}/exercises/
+         OUTPUT_VARIABLE files)
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${files})
     foreach(contract ${contracts})
         get_filename_component(topic ${contract} DIRECTORY)
         get_filename_component(name ${contract} NAME_WE)

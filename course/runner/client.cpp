@@ -392,7 +392,8 @@ void Client::walk_again() {
 std::string Client::ask(CallStatus kind, const Request& request) {
     walked_ = request.walked;
     answered_.reset();
-    reply_extra_ = request.table_bytes;
+    // An honest answer is no larger than a few times what it is made from.
+    reply_extra_ = request.table_bytes + 4 * request.arguments.bytes.size();
     if (has_input(channel_.get()))
         fail(Verdict::forbidden_operation,
              "the program wrote to the grader's channel before it was asked");

@@ -185,7 +185,7 @@ private:
     std::uint64_t next_table_ = 1;
     LastCall last_call_;
     const HalfEdgeTable* walked_ = nullptr;
-    std::uint64_t reply_extra_ = 0;  ///< what the call's tables allow
+    std::uint64_t reply_extra_ = 0;  ///< what the call's input allows
 };
 
 }  // namespace course

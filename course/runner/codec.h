@@ -8,6 +8,7 @@
 #include <cstring>
 #include <map>
 #include <optional>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -16,6 +17,7 @@
 #include <vector>
 
 #include "course/halfedge/half_edge_table.h"
+#include "course/mesh/indexed_mesh.h"
 
 namespace course {
 
@@ -103,8 +105,9 @@ std::string encode(const T& value) {
 
 /// Copied as they lie in memory: no padding, every bit pattern is a value.
 template <class T>
-concept Plain = (std::is_arithmetic_v<T> && !std::is_same_v<T, bool>) ||
-                std::is_enum_v<T> || std::is_same_v<T, HalfEdge>;
+concept Plain =
+    (std::is_arithmetic_v<T> && !std::is_same_v<T, bool>) ||
+    std::is_enum_v<T> || std::is_same_v<T, HalfEdge> || std::is_same_v<T, Vec3>;
 
 template <Plain T>
 struct Codec<T> {
@@ -187,6 +190,14 @@ struct Codec<std::vector<bool>> {
     }
 };
 
+/// Written as the vector of the same elements, and read as one.
+template <class T>
+struct Codec<std::span<const T>> {
+    static void put(Writer& out, std::span<const T> v) {
+        course::put(out, std::vector<T>(v.begin(), v.end()));
+    }
+};
+
 template <class T, std::size_t N>
 struct Codec<std::array<T, N>> {
     static constexpr std::size_t smallest = N * Codec<T>::smallest;
@@ -250,6 +261,36 @@ struct Codec<HalfEdgeTable> {
     }
     static HalfEdgeTable get(Reader& in) {
         return HalfEdgeTable(course::get<std::vector<HalfEdge>>(in));
+    }
+};
+
+/// How many corners each face has, then the corners of all faces.
+template <>
+struct Codec<FaceList> {
+    static constexpr std::size_t smallest = 16;
+
+    static void put(Writer& out, const FaceList& v) {
+        std::vector<std::uint32_t> sides;
+        for (const FaceList::Face face : v)
+            sides.push_back(static_cast<std::uint32_t>(face.size()));
+        course::put(out, sides);
+        course::put(out, v.corners());
+    }
+    static FaceList get(Reader& in) {
+        const auto sides = course::get<std::vector<std::uint32_t>>(in);
+        const auto corners = course::get<std::vector<int>>(in);
+        FaceList v;
+        v.reserve(sides.size(), corners.size());
+        std::span<const int> left(corners);
+        for (const std::uint32_t n : sides) {
+            if (n > left.size())
+                throw CodecError("faces have more corners than there are");
+            v.push_back(left.first(n));
+            left = left.subspan(n);
+        }
+        if (!left.empty())
+            throw CodecError("there are more corners than faces have");
+        return v;
     }
 };
 

@@ -6,12 +6,13 @@
 #include <algorithm>
 #include <cstdlib>
 #include <functional>
-#include <set>
 #include <sstream>
 
 namespace course {
 
 namespace {
+
+namespace fs = std::filesystem;
 
 constexpr const char* lean_prelude = "course/runner/prelude.h";
 constexpr const char* full_prelude = "course/runner/prelude_full.h";
@@ -24,22 +25,6 @@ std::string plain_name(const std::string& symbol) {
     std::string text = plain != nullptr ? plain : symbol;
     std::free(plain);
     return for_students(std::move(text));
-}
-
-/// The <headers> that a text includes, by a look at its lines: one in a comment
-/// counts too.
-std::set<std::string, std::less<>> standard_headers(std::string_view text) {
-    std::set<std::string, std::less<>> headers;
-    const std::string_view directive = "include";
-    for (auto at = text.find(directive); at != std::string_view::npos;
-         at = text.find(directive, at)) {
-        at = std::min(text.find_first_not_of(" \t", at + directive.size()),
-                      text.size());
-        if (at == text.size() || text[at] != '<') continue;
-        const auto end = std::min(text.find_first_of(">\n", at), text.size());
-        headers.emplace(text.substr(at + 1, end - at - 1));
-    }
-    return headers;
 }
 
 }  // namespace
@@ -57,9 +42,10 @@ std::filesystem::path entry_object(const Exercise& exercise) {
 }
 
 Prelude prelude_for(std::string_view source) {
-    static const std::set<std::string, std::less<>> lean =
-        standard_headers(read_file(student_include() / lean_prelude));
-    const auto used = standard_headers(source);
+    const fs::path include = student_include();
+    static const auto lean =
+        standard_headers(read_file(include / lean_prelude), include);
+    const auto used = standard_headers(source, include);
     return std::includes(lean.begin(), lean.end(), used.begin(), used.end())
                ? Prelude::lean
                : Prelude::full;
@@ -82,16 +68,17 @@ std::vector<std::string> compile_arguments(const std::string& source,
     return arguments;
 }
 
-std::vector<std::string> link_arguments(const std::string& object,
-                                        const std::string& entry,
+std::vector<std::string> link_arguments(std::vector<std::string> objects,
                                         const std::string& shared) {
 #ifdef __linux__
     // Bare: everything else is in the host that loads it.
-    return {"ld", "-shared", "--eh-frame-hdr", "-o", shared, object, entry};
+    objects.insert(objects.begin(),
+                   {"ld", "-shared", "--eh-frame-hdr", "-o", shared});
 #else
-    return {compiler(), "-shared", "-undefined", "dynamic_lookup",
-            "-o",       shared,    object,       entry};
+    objects.insert(objects.begin(), {compiler(), "-shared", "-undefined",
+                                     "dynamic_lookup", "-o", shared});
 #endif
+    return objects;
 }
 
 std::string for_students(std::string messages) {

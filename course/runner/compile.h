@@ -30,9 +30,10 @@ std::filesystem::path entry_object(const Exercise& exercise);
 /// prelude_full.h.
 enum class Prelude { lean, full };
 
-/// The prelude to compile this text with: lean where it includes nothing that
-/// is not in there. Names may still be used that only `full` declares: when
-/// compiling with `lean` fails (exit code 1), `full` has the last word.
+/// The prelude to compile this text with: lean where it and the contracts that
+/// it includes need nothing that is not in there. Names may still be used that
+/// only `full` declares: when compiling with `lean` fails (exit code 1), `full`
+/// has the last word.
 Prelude prelude_for(std::string_view source);
 
 /// Arguments of the compile step: `source` to `object`, headers from
@@ -42,9 +43,9 @@ std::vector<std::string> compile_arguments(const std::string& source,
                                            const std::string& include,
                                            Prelude prelude);
 
-/// Arguments of the link step: both objects to one shared object.
-std::vector<std::string> link_arguments(const std::string& object,
-                                        const std::string& entry,
+/// Arguments of the link step: a submission's object, its exercise's entry,
+/// and what else belongs to it, to one shared object.
+std::vector<std::string> link_arguments(std::vector<std::string> objects,
                                         const std::string& shared);
 
 /// The compiler's messages without the names that students never wrote.

@@ -45,6 +45,43 @@ std::vector<Exercise> exercises_of(const fs::path& folder) {
     return list;
 }
 
+/// What stands between `open` and `close` behind each `include` of a text.
+std::vector<std::string> included(std::string_view text, char open,
+                                  char close) {
+    std::vector<std::string> names;
+    const std::string_view directive = "include";
+    const char ends[] = {close, '\n', '\0'};
+    for (auto at = text.find(directive); at != std::string_view::npos;
+         at = text.find(directive, at)) {
+        at = std::min(text.find_first_not_of(" \t", at + directive.size()),
+                      text.size());
+        if (at == text.size() || text[at] != open) continue;
+        const auto end =
+            std::min(text.find_first_of(ends, at + 1), text.size());
+        names.emplace_back(text.substr(at + 1, end - at - 1));
+    }
+    return names;
+}
+
+/// The headers of the project that a text includes, directly or not.
+std::set<std::string> project_headers(std::string_view text,
+                                      const fs::path& include) {
+    std::set<std::string> found;
+    std::vector<std::string> todo = included(text, '"', '"');
+    while (!todo.empty()) {
+        const std::string header = todo.back();
+        todo.pop_back();
+        // What is none of ours is for the compiler to complain about.
+        if (!fs::is_regular_file(include / header) ||
+            !found.insert(header).second)
+            continue;
+        for (std::string& more :
+             included(read_file(include / header), '"', '"'))
+            todo.push_back(std::move(more));
+    }
+    return found;
+}
+
 bool starts_an_item(const std::string& line) {
     const auto digits = line.find_first_not_of("0123456789");
     return digits != 0 && digits != std::string::npos && line[digits] == '.';
@@ -94,6 +131,33 @@ Exercise exercise_named(const std::string& name) {
     }
     throw UnknownExercise(fmt::format("there is no exercise \"{}\"{}", name,
                                       did_you_mean(name, names)));
+}
+
+bool has_solutions() {
+    return fs::is_directory(source_root() / "solutions");
+}
+
+std::vector<Exercise> exercises_before(const Exercise& exercise) {
+    std::vector<Exercise> before;
+    const auto headers =
+        project_headers(read_file(exercise.contract()), source_root());
+    for (const std::string& header : headers)
+        if (const fs::path path = header; *path.begin() == "exercises")
+            before.push_back({path.parent_path().filename(), path.stem()});
+    return before;
+}
+
+std::set<std::string, std::less<>> standard_headers(std::string_view text,
+                                                    const fs::path& include) {
+    std::set<std::string, std::less<>> headers;
+    const auto add = [&](std::string_view some) {
+        for (std::string& header : included(some, '<', '>'))
+            headers.insert(std::move(header));
+    };
+    add(text);
+    for (const std::string& header : project_headers(text, include))
+        add(read_file(include / header));
+    return headers;
 }
 
 std::string read_file(const fs::path& file) {

@@ -3,8 +3,11 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
+#include <set>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace course {
@@ -40,6 +43,21 @@ struct UnknownExercise : std::invalid_argument {
 
 /// The exercise of that name. Throws UnknownExercise.
 Exercise exercise_named(const std::string& name);
+
+/// Whether this tree has the reference solutions: a student's copy has none.
+bool has_solutions();
+
+/// The exercises that this one builds on: those whose contracts its contract
+/// includes, and those that they build on. The exercise's submission may call
+/// their functions: the references where the tree has solutions, else the
+/// student's own.
+std::vector<Exercise> exercises_before(const Exercise& exercise);
+
+/// The <headers> that a text includes, by a look at its lines: one in a comment
+/// counts too; and those that the project's headers bring which it includes.
+/// Those are looked for below `include`.
+std::set<std::string, std::less<>> standard_headers(
+    std::string_view text, const std::filesystem::path& include);
 
 /// The numbered hints of its statement, in order. Throws SystemError when the
 /// statement cannot be read.

@@ -129,10 +129,10 @@ Compiled compiled_from(const Finished& finished,
     return {Verdict::compile_error, why + for_students(finished.output)};
 }
 
-Compiled LocalWorkplace::compile(const Exercise& exercise,
-                                 const fs::path& source,
-                                 const fs::path& shared) {
-    const std::string object = shared.string() + ".o";
+namespace {
+
+/// One file, with the lean prelude if that will do.
+Finished compile_file(const fs::path& source, const std::string& object) {
     const auto compile_with = [&](Prelude prelude) {
         return run_step(
             compile_arguments(source, object, student_include(), prelude));
@@ -142,13 +142,43 @@ Compiled LocalWorkplace::compile(const Exercise& exercise,
     if (prelude == Prelude::lean && WIFEXITED(compiled.status) &&
         WEXITSTATUS(compiled.status) == 1)
         compiled = compile_with(Prelude::full);
-    if (compiled.status == 0 && !compiled.timed_out) {
-        const std::string messages = compiled.output;
-        compiled =
-            run_step(link_arguments(object, entry_object(exercise), shared));
-        compiled.output = messages + compiled.output;
+    return compiled;
+}
+
+bool is_done(const Finished& step) {
+    return step.status == 0 && !step.timed_out;
+}
+
+/// What a submission calls of earlier exercises: the references are in its
+/// entry; where there are none, it is what the student wrote for them.
+std::vector<fs::path> own_sources_before(const Exercise& exercise) {
+    std::vector<fs::path> sources;
+    if (has_solutions()) return sources;
+    for (const Exercise& before : exercises_before(exercise))
+        sources.push_back(before.skeleton());
+    return sources;
+}
+
+}  // namespace
+
+Compiled LocalWorkplace::compile(const Exercise& exercise,
+                                 const fs::path& source,
+                                 const fs::path& shared) {
+    std::vector<std::string> objects = {shared.string() + ".o"};
+    Finished step = compile_file(source, objects[0]);
+    const std::string messages = step.output;
+    for (const fs::path& before : own_sources_before(exercise)) {
+        if (!is_done(step)) break;
+        objects.push_back(
+            fmt::format("{}.{}.o", shared.string(), before.stem().string()));
+        step = compile_file(before, objects.back());
     }
-    return compiled_from(compiled, compiler_patience);
+    objects.push_back(entry_object(exercise));
+    if (is_done(step)) {
+        step = run_step(link_arguments(objects, shared));
+        step.output = messages + step.output;
+    }
+    return compiled_from(step, compiler_patience);
 }
 
 Process LocalWorkplace::launch(const fs::path& shared,

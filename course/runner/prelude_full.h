@@ -30,4 +30,5 @@
 #include <unordered_set>
 
 #include "course/halfedge/table_errors.h"
+#include "course/mesh/indexed_mesh.h"
 #include "course/runner/prelude.h"

@@ -60,6 +60,15 @@ struct StringMaker<std::vector<T>> {
     }
 };
 
+template <>
+struct is_range<FaceList> : std::false_type {};
+
+/// Faces, as a list of lists.
+template <>
+struct StringMaker<FaceList> {
+    static std::string convert(const FaceList& faces);
+};
+
 template <class T>
 struct StringMaker<std::optional<T>> {
     static std::string convert(const std::optional<T>& value) {
@@ -74,7 +83,7 @@ struct StringMaker<std::nullopt_t> {
 
 /// A plain struct, and a row of the table: its fields in braces.
 template <class T>
-requires course::Struct<T> || std::same_as<T, HalfEdge>
+requires course::Struct<T> || std::same_as<T, HalfEdge> || std::same_as<T, Vec3>
 struct StringMaker<T> {
     static std::string convert(const T& value) {
         std::string text;

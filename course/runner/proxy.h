@@ -2,6 +2,7 @@
 #pragma once
 
 #include <concepts>
+#include <span>
 #include <string>
 #include <tuple>
 
@@ -12,13 +13,47 @@ namespace course {
 
 namespace detail {
 
+/// A list whose elements lie in the caller's memory, by value if it is short.
+template <class T>
+std::string keep_list(std::span<const T> list, const char* noun) {
+    constexpr std::size_t most = 12;
+    if (list.size() > most)
+        return "{ ... " + std::to_string(list.size()) + " " + noun + " ... }";
+    return show(std::vector<T>(list.begin(), list.end()));
+}
+
+/// The faces of a small mesh: they are what most functions depend on.
+inline std::string keep_mesh(const IndexedMesh& mesh) {
+    constexpr int most = 12;
+    std::string text =
+        "mesh of " + std::to_string(mesh.vertex_count()) + " vertices, ";
+    if (mesh.faces.size() <= most) return text + "faces " + show(mesh.faces);
+    return text + std::to_string(mesh.faces.size()) + " faces";
+}
+
 /// An argument as it is kept for messages: a table by name, others by value.
 template <class T>
 auto keep(const T& value) {
     if constexpr (std::same_as<T, HalfEdgeTable>)
         return std::string("he");
+    else if constexpr (std::same_as<T, IndexedMesh>)
+        return keep_mesh(value);
+    else if constexpr (requires {
+                           typename T::element_type;
+                           value.subspan(0);
+                       })
+        return keep_list(value, "elements");
     else
         return value;
+}
+
+/// A text among the arguments, told from one that stands for an argument.
+struct Quoted {
+    std::string text;
+};
+
+inline Quoted keep(const std::string& text) {
+    return {text};
 }
 
 inline void list(std::string& text, const std::string& item) {
@@ -30,6 +65,8 @@ template <class T>
 std::string argument_text(const T& kept) {
     if constexpr (std::same_as<T, std::string>)
         return kept;
+    else if constexpr (std::same_as<T, Quoted>)
+        return show(kept.text);
     else
         return show(kept);
 }

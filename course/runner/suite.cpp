@@ -35,6 +35,17 @@ std::string StringMaker<HalfEdgeTable>::convert(const HalfEdgeTable& he) {
     return text + " }";
 }
 
+std::string StringMaker<FaceList>::convert(const FaceList& faces) {
+    constexpr int most = 60;
+    std::vector<std::vector<int>> lists;
+    for (int f = 0; f < faces.size() && f < most; ++f)
+        lists.emplace_back(faces[f].begin(), faces[f].end());
+    std::string text = ::Catch::Detail::stringify(lists);
+    if (faces.size() > most)
+        text += " and " + std::to_string(faces.size() - most) + " more";
+    return text;
+}
+
 }  // namespace Catch
 
 namespace course {

@@ -4,6 +4,7 @@
 
 #include <concepts>
 #include <map>
+#include <span>
 #include <tuple>
 #include <type_traits>
 
@@ -56,6 +57,14 @@ struct Argument<const HalfEdgeTable&> {
     static const HalfEdgeTable& pass(const Value& value) {
         return *value.table;
     }
+};
+
+/// A span of values: they come as a vector.
+template <class T>
+struct Argument<std::span<const T>> {
+    using Value = std::vector<T>;
+    static Value decode(WorkerCall& call) { return get<Value>(call.in); }
+    static std::span<const T> pass(const Value& value) { return value; }
 };
 
 /// The first int among the arguments is where a walk starts.

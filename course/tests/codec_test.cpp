@@ -64,6 +64,10 @@ void check_exact(const T& value) {
         CHECK_THROWS_AS(decode<T>(bytes.substr(0, n)), CodecError);
 }
 
+const IndexedMesh lens{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {2, 0, 0}},
+                       {{0, 1, 2, 3}, {0, 3, 2}},
+                       {{1, 4}}};
+
 /// A count, and nothing after it.
 std::string count_of(std::uint64_t n) {
     return encode(n);
@@ -236,4 +240,24 @@ TEST_CASE("random bytes decode exactly or are refused, in little memory") {
         accepted += decodes<CaseResult>(bytes);
     }
     CHECK(accepted > 0);  // else the bytes ask nothing
+}
+
+TEST_CASE("a mesh comes back, and a span as a vector") {
+    check_exact(lens);
+    check_exact(IndexedMesh{});
+    const std::span<const Vec3> points(lens.positions);
+    CHECK(decode<std::vector<Vec3>>(encode(points)) == lens.positions);
+}
+
+TEST_CASE("faces and corners that do not fit together are refused") {
+    using Sides = std::vector<std::uint32_t>;
+    const auto faces = [](const Sides& sides, const std::vector<int>& corners) {
+        return decodes<FaceList>(encode(sides) + encode(corners));
+    };
+    CHECK(faces({3}, {0, 1, 2}));
+    CHECK_FALSE(faces({4}, {0, 1, 2}));
+    CHECK_FALSE(faces({2}, {0, 1, 2}));
+    CHECK_FALSE(faces({0xffffffff, 4}, {0, 1, 2}));
+    check_huge_counts<FaceList>();
+    check_huge_counts<IndexedMesh>();
 }

@@ -126,9 +126,9 @@ public:
                                  compile_command(handed, scratch_.path()));
         }));
         link.push_back(mean([&](const HandedIn& handed) {
-            return course::link_arguments(scratch_ / "s.o",
-                                          course::entry_object(handed.exercise),
-                                          scratch_ / "s.so");
+            return course::link_arguments(
+                {scratch_ / "s.o", course::entry_object(handed.exercise)},
+                scratch_ / "s.so");
         }));
         start.push_back(mean([&](const HandedIn&) {
             return in_bubblewrap(scratch_.path(), {"true"});

@@ -157,7 +157,7 @@ std::string compile_script(const course::Exercise& exercise,
             exercise.file_name(), work + "/s.o", student + "/include", with));
     };
     const auto link = course::link_arguments(
-        work + "/s.o", fmt::format("{}/entries/{}.o", student, exercise.name),
+        {work + "/s.o", fmt::format("{}/entries/{}.o", student, exercise.name)},
         work + "/s.so");
     std::string script = compile(course::Prelude::full);
     if (prelude == course::Prelude::lean)

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <functional>
+#include <set>
 #include <sstream>
 
 namespace course {
@@ -14,8 +15,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* lean_prelude = "course/runner/prelude.h";
-constexpr const char* full_prelude = "course/runner/prelude_full.h";
+constexpr const char* preludes[] = {"course/runner/prelude.h",
+                                    "course/runner/prelude_text.h",
+                                    "course/runner/prelude_full.h"};
+
+using Headers = std::set<std::string, std::less<>>;
 
 /// "int face_sides(HalfEdgeTable const&, int)" from its symbol.
 std::string plain_name(const std::string& symbol) {
@@ -43,20 +47,25 @@ std::filesystem::path entry_object(const Exercise& exercise) {
 
 Prelude prelude_for(std::string_view source) {
     const fs::path include = student_include();
-    static const auto lean =
-        standard_headers(read_file(include / lean_prelude), include);
-    const auto used = standard_headers(source, include);
-    return std::includes(lean.begin(), lean.end(), used.begin(), used.end())
-               ? Prelude::lean
-               : Prelude::full;
+    const auto headers_in = [&](Prelude prelude) {
+        return standard_headers(
+            read_file(include / preludes[static_cast<int>(prelude)]), include);
+    };
+    static const Headers lean = headers_in(Prelude::lean);
+    static const Headers text = headers_in(Prelude::text);
+    const Headers used = standard_headers(source, include);
+    const auto is_in = [&](const Headers& all) {
+        return std::includes(all.begin(), all.end(), used.begin(), used.end());
+    };
+    if (is_in(lean)) return Prelude::lean;
+    return is_in(text) ? Prelude::text : Prelude::full;
 }
 
 std::vector<std::string> compile_arguments(const std::string& source,
                                            const std::string& object,
                                            const std::string& include,
                                            Prelude prelude) {
-    const std::string header =
-        prelude == Prelude::lean ? lean_prelude : full_prelude;
+    const std::string header = preludes[static_cast<int>(prelude)];
     std::vector<std::string> arguments = {compiler()};
     std::istringstream flags(COURSE_STUDENT_FLAGS);
     for (std::string flag; flags >> flag;) arguments.push_back(flag);

@@ -26,14 +26,14 @@ std::filesystem::path student_include();
 /// What the worker calls, compiled already.
 std::filesystem::path entry_object(const Exercise& exercise);
 
-/// What is compiled already when a submission begins: prelude.h or
-/// prelude_full.h.
-enum class Prelude { lean, full };
+/// What is compiled already when a submission begins: prelude.h,
+/// prelude_text.h or prelude_full.h.
+enum class Prelude { lean, text, full };
 
-/// The prelude to compile this text with: lean where it and the contracts that
-/// it includes need nothing that is not in there. Names may still be used that
-/// only `full` declares: when compiling with `lean` fails (exit code 1), `full`
-/// has the last word.
+/// The first prelude that has all headers which this text and the contracts
+/// that it includes need. Names may still be used that only `full` declares:
+/// when compiling with another one fails (exit code 1), `full` has the last
+/// word.
 Prelude prelude_for(std::string_view source);
 
 /// Arguments of the compile step: `source` to `object`, headers from

@@ -131,7 +131,7 @@ Compiled compiled_from(const Finished& finished,
 
 namespace {
 
-/// One file, with the lean prelude if that will do.
+/// One file, with the least prelude that will do.
 Finished compile_file(const fs::path& source, const std::string& object) {
     const auto compile_with = [&](Prelude prelude) {
         return run_step(
@@ -139,7 +139,7 @@ Finished compile_file(const fs::path& source, const std::string& object) {
     };
     const Prelude prelude = prelude_for(read_file(source));
     Finished compiled = compile_with(prelude);
-    if (prelude == Prelude::lean && WIFEXITED(compiled.status) &&
+    if (prelude != Prelude::full && WIFEXITED(compiled.status) &&
         WEXITSTATUS(compiled.status) == 1)
         compiled = compile_with(Prelude::full);
     return compiled;

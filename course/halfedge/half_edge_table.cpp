@@ -1,5 +1,7 @@
 // The parts of the subscript that stay out of the student's object file: the
-// check without optimisation, the record of reads, and the messages.
+// check without optimisation, the record of reads, the messages, and what it
+// would compile anew.
+#define COURSE_DEFINE_HALF_EDGE_TABLE
 #include "course/halfedge/half_edge_table.h"
 
 #include <fmt/format.h>

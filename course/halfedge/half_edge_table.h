@@ -116,17 +116,21 @@ public:
     using iterator = HalfEdge*;
     using const_iterator = const HalfEdge*;
 
-    HalfEdgeTable() = default;
-    HalfEdgeTable(std::initializer_list<HalfEdge> rows) : rows_(rows) {}
-    explicit HalfEdgeTable(std::vector<HalfEdge> rows)
-        : rows_(std::move(rows)) {}
+    HalfEdgeTable();
+    HalfEdgeTable(std::initializer_list<HalfEdge> rows);
+    explicit HalfEdgeTable(std::vector<HalfEdge> rows);
+    HalfEdgeTable(const HalfEdgeTable&);
+    HalfEdgeTable(HalfEdgeTable&&) noexcept;
+    HalfEdgeTable& operator=(const HalfEdgeTable&);
+    HalfEdgeTable& operator=(HalfEdgeTable&&) noexcept;
+    ~HalfEdgeTable();
 
     /// Number of half-edges: twice the number of edges.
-    int size() const { return static_cast<int>(rows_.size()); }
-    bool empty() const { return rows_.empty(); }
+    int size() const;
+    bool empty() const;
 
     /// Adds a row; its index is the size before.
-    void push_back(const HalfEdge& row) { rows_.push_back(row); }
+    void push_back(const HalfEdge& row);
 
     /// Row i. Constant time.
     /// Throws OutOfTable when there is no such row, TooManyReads when the
@@ -140,13 +144,13 @@ public:
     }
 
     /// All rows in order; counts as reading each of them.
-    iterator begin() { return charge(), rows_.data(); }
-    iterator end() { return rows_.data() + rows_.size(); }
-    const_iterator begin() const { return charge(), rows_.data(); }
-    const_iterator end() const { return rows_.data() + rows_.size(); }
+    iterator begin();
+    iterator end();
+    const_iterator begin() const;
+    const_iterator end() const;
 
     friend bool operator==(const HalfEdgeTable& a, const HalfEdgeTable& b) {
-        return a.rows_ == b.rows_;
+        return a.has_rows_of(b);
     }
 
     // ---- for the course's own code: what a call read, and how much it may
@@ -158,7 +162,7 @@ public:
     /// Reads that a call may make when nothing else is said: enough for any
     /// honest walk, and used up by an endless one in milliseconds.
     std::int64_t default_budget() const {
-        return 100'000 + 64 * static_cast<std::int64_t>(rows_.size());
+        return 100'000 + 64 * std::int64_t{size()};
     }
 
     /// What a table may be read while nobody watches: still ends an endless
@@ -201,6 +205,8 @@ public:
 #endif
 
 private:
+    bool has_rows_of(const HalfEdgeTable& other) const;
+
     std::vector<HalfEdge> rows_;
 
 #if COURSE_TABLE == 0
@@ -253,6 +259,60 @@ private:
     mutable std::vector<TraceEvent> events_;
 };
 #endif
+#endif
+
+// Inline where the compiler optimises. A submission, which it does not, calls
+// code that was compiled with it: what these need of <vector> would cost each
+// of them 25 ms to compile.
+#if defined(__OPTIMIZE__) || COURSE_TABLE != 1 || \
+    defined(COURSE_DEFINE_HALF_EDGE_TABLE)
+#ifdef COURSE_DEFINE_HALF_EDGE_TABLE
+#define COURSE_INLINE
+#else
+#define COURSE_INLINE inline
+#endif
+
+COURSE_INLINE HalfEdgeTable::HalfEdgeTable() = default;
+COURSE_INLINE HalfEdgeTable::HalfEdgeTable(const HalfEdgeTable&) = default;
+COURSE_INLINE HalfEdgeTable::HalfEdgeTable(HalfEdgeTable&&) noexcept = default;
+COURSE_INLINE HalfEdgeTable& HalfEdgeTable::operator=(const HalfEdgeTable&) =
+    default;
+COURSE_INLINE HalfEdgeTable& HalfEdgeTable::operator=(
+    HalfEdgeTable&&) noexcept = default;
+COURSE_INLINE HalfEdgeTable::~HalfEdgeTable() = default;
+
+COURSE_INLINE HalfEdgeTable::HalfEdgeTable(std::initializer_list<HalfEdge> rows)
+    : rows_(rows) {}
+COURSE_INLINE HalfEdgeTable::HalfEdgeTable(std::vector<HalfEdge> rows)
+    : rows_(std::move(rows)) {}
+COURSE_INLINE int HalfEdgeTable::size() const {
+    return static_cast<int>(rows_.size());
+}
+COURSE_INLINE bool HalfEdgeTable::empty() const {
+    return rows_.empty();
+}
+COURSE_INLINE void HalfEdgeTable::push_back(const HalfEdge& row) {
+    rows_.push_back(row);
+}
+COURSE_INLINE HalfEdgeTable::iterator HalfEdgeTable::begin() {
+    charge();
+    return rows_.data();
+}
+COURSE_INLINE HalfEdgeTable::iterator HalfEdgeTable::end() {
+    return rows_.data() + rows_.size();
+}
+COURSE_INLINE HalfEdgeTable::const_iterator HalfEdgeTable::begin() const {
+    charge();
+    return rows_.data();
+}
+COURSE_INLINE HalfEdgeTable::const_iterator HalfEdgeTable::end() const {
+    return rows_.data() + rows_.size();
+}
+COURSE_INLINE bool HalfEdgeTable::has_rows_of(
+    const HalfEdgeTable& other) const {
+    return rows_ == other.rows_;
+}
+#undef COURSE_INLINE
 #endif
 
 }  // namespace COURSE_TABLE_NAMESPACE

@@ -1,3 +1,3 @@
-// What submissions call of the face list.
-#define COURSE_DEFINE_FACE_LIST
+// What submissions call of the indexed mesh.
+#define COURSE_DEFINE_INDEXED_MESH
 #include "course/mesh/indexed_mesh.h"

@@ -64,11 +64,23 @@ private:
     std::vector<int> corners_;
 };
 
+/// Vertices 0 <= v < positions.size(); faces name them by index.
+/// `loose_edges` belong to no face (the lecture's dangling edges).
+struct IndexedMesh {
+    std::vector<Vec3> positions;
+    FaceList faces;
+    std::vector<std::array<int, 2>> loose_edges;
+
+    int vertex_count() const { return static_cast<int>(positions.size()); }
+
+    friend bool operator==(const IndexedMesh& a, const IndexedMesh& b);
+};
+
 // Inline where the compiler optimises. A submission, which it does not, calls
 // code that was compiled with it: what these need of <vector> would cost each
 // of them 40 ms to compile.
-#if defined(__OPTIMIZE__) || defined(COURSE_DEFINE_FACE_LIST)
-#ifdef COURSE_DEFINE_FACE_LIST
+#if defined(__OPTIMIZE__) || defined(COURSE_DEFINE_INDEXED_MESH)
+#ifdef COURSE_DEFINE_INDEXED_MESH
 #define COURSE_INLINE
 #else
 #define COURSE_INLINE inline
@@ -110,17 +122,9 @@ COURSE_INLINE void FaceList::reserve(std::size_t faces, std::size_t corners) {
 COURSE_INLINE bool FaceList::equals(const FaceList& other) const {
     return end_ == other.end_ && corners_ == other.corners_;
 }
+COURSE_INLINE bool operator==(const IndexedMesh& a, const IndexedMesh& b) {
+    return a.positions == b.positions && a.faces == b.faces &&
+           a.loose_edges == b.loose_edges;
+}
 #undef COURSE_INLINE
 #endif
-
-/// Vertices 0 <= v < positions.size(); faces name them by index.
-/// `loose_edges` belong to no face (the lecture's dangling edges).
-struct IndexedMesh {
-    std::vector<Vec3> positions;
-    FaceList faces;
-    std::vector<std::array<int, 2>> loose_edges;
-
-    int vertex_count() const { return static_cast<int>(positions.size()); }
-
-    friend bool operator==(const IndexedMesh&, const IndexedMesh&) = default;
-};

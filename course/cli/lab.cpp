@@ -7,6 +7,8 @@
 #include <filesystem>
 
 #include "course/cli/explain_result.h"
+#include "course/cli/figures.h"
+#include "course/mesh/file_defects.h"
 #include "course/runner/exercises.h"
 #include "course/runner/judge_submission.h"
 
@@ -76,6 +78,14 @@ int hint(const std::string& name, int number) {
     return 0;
 }
 
+int figures(const fs::path& folder) {
+    fs::create_directories(folder);
+    const auto all = lecture_figures();
+    for (const auto& [name, svg] : all) replace_text(folder / name, svg);
+    fmt::print("{} figures are in {}.\n", all.size(), folder.string());
+    return 0;
+}
+
 struct Options {
     std::string name;
     fs::path file;
@@ -101,6 +111,11 @@ void add_commands(CLI::App& program, Options& options, int& code) {
     command->add_option("number", options.number,
                         "how many of them (default 1)");
     command->callback([&] { code = hint(options.name, options.number); });
+
+    command = program.add_subcommand(
+        "figures", "Draw the figures of the lecture notes, as SVG");
+    command->add_option("dir", options.file, "where to")->required();
+    command->callback([&] { code = figures(options.file); });
 }
 
 int run_lab(int argc, char** argv) {

@@ -2,8 +2,8 @@
 // out is UTF-8 that a reader sees as it is, of the length that was asked for.
 #include "course/report/text.h"
 
+#include "course/report/escape.h"
 #include "grader/fuzz/fuzz.h"
-#include "grader/report/escape.h"
 
 namespace {
 

@@ -1,9 +1,11 @@
 #include "grader/report/grades_csv.h"
 
+#include "course/report/escape.h"
 #include "course/report/text.h"
-#include "grader/report/escape.h"
 
 namespace grader {
+
+using course::escape_csv;
 
 namespace {
 

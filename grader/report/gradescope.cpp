@@ -5,12 +5,14 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "course/report/escape.h"
 #include "course/report/explain.h"
 #include "course/report/text.h"
-#include "grader/report/escape.h"
 #include "grader/report/feedback.h"
 
 namespace grader {
+
+using course::escape_json;
 
 namespace {
 

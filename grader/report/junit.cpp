@@ -6,12 +6,14 @@
 #include <utility>
 #include <vector>
 
+#include "course/report/escape.h"
 #include "course/report/explain.h"
 #include "course/report/text.h"
-#include "grader/report/escape.h"
 #include "grader/report/feedback.h"
 
 namespace grader {
+
+using course::escape_xml;
 
 namespace {
 

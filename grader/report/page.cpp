@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "course/report/mesh_drawing.h"
 #include "grader/report/class_results.h"
 
 namespace grader {
@@ -12,7 +13,7 @@ using course::Verdict;
 
 // Greys and one blue; amber for what needs a look. Every state is also told
 // by its letters, so that the page can be read in black and white.
-constexpr std::string_view style = R"css(
+constexpr std::string_view style_before = R"css(
 :root {
   --ink: #1a2330; --soft: #586475; --line: #d4dae2; --tint: #f4f6f9;
   --blue: #1d5b96; --blue-tint: #e6eef7; --amber: #9a4300;
@@ -132,25 +133,10 @@ figure { margin: 4px 0 0; max-width: 500px; }
 figcaption { font-size: 0.83rem; color: var(--soft); }
 svg.mesh { max-width: 100%; height: auto; font-family: inherit; }
 svg text { text-anchor: middle; }
-.mesh .face { fill: #eef2f6; }
-.mesh .face-label { font-size: 12px; fill: #7a8594; font-weight: 600; }
-.mesh .behind { fill: #b3bcc7; }
-.mesh .edge { stroke: #c3cad3; stroke-width: 2; }
-.mesh .he { stroke: #566273; stroke-width: 1.5; }
-.mesh .head { fill: #566273; stroke: none; }
-.mesh line.border { stroke-dasharray: 5 3; }
-.mesh .walked { stroke: var(--amber); stroke-width: 3.5; }
-.mesh .head.walked { fill: var(--amber); stroke: none; }
-.mesh .number { fill: #fff; stroke: #a8b1bd; stroke-width: 1; }
-.mesh .number.walked { fill: var(--amber); stroke: var(--amber);
-                       stroke-width: 1; }
-.mesh .number-text { font-size: 11px; fill: var(--ink); font-weight: 600; }
-.mesh .number-text.walked { fill: #fff; stroke: none; }
-.mesh .step { fill: var(--ink); }
-.mesh .step-text { font-size: 9.5px; fill: #fff; font-weight: 600; }
-.mesh .vertex { fill: #fff; stroke: var(--ink); stroke-width: 1.5; }
-.mesh .vertex-text { font-size: 10px; font-weight: 650; fill: var(--ink); }
-.chart text { font-size: 13px; fill: var(--ink); text-anchor: start; }
+)css";
+
+constexpr std::string_view style_after =
+    R"css(.chart text { font-size: 13px; fill: var(--ink); text-anchor: start; }
 .chart .value { fill: var(--soft); }
 .chart .track { fill: var(--tint); stroke: var(--line); }
 .chart .fill { fill: var(--blue); }
@@ -204,11 +190,12 @@ Html begin_page(std::string_view title) {
 <meta http-equiv="Content-Security-Policy" content="default-src 'none'; )"
         R"(style-src 'unsafe-inline'">
 <title>{}</title>
-<style>{}</style>
+<style>{}{}{}</style>
 </head>
 <body>
 )",
-        title, Html{std::string(style)});
+        title, Html{std::string(style_before)},
+        Html{std::string(course::mesh_style)}, Html{std::string(style_after)});
 }
 
 void end_page(Html& page) {

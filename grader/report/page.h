@@ -4,10 +4,14 @@
 
 #include <string_view>
 
+#include "course/report/html.h"
 #include "course/runner/verdict.h"
-#include "grader/report/html.h"
 
 namespace grader {
+
+using course::append;
+using course::Html;
+using course::markup;
 
 /// A page up to its content. `title` is for the browser's tab.
 Html begin_page(std::string_view title);

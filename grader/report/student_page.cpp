@@ -3,9 +3,9 @@
 #include <algorithm>
 
 #include "course/report/explain.h"
+#include "course/report/mesh_drawing.h"
 #include "course/report/text.h"
 #include "grader/report/feedback.h"
-#include "grader/report/mesh_drawing.h"
 #include "grader/report/page.h"
 
 namespace grader {

@@ -9,11 +9,13 @@
 #include <utility>
 #include <vector>
 
+#include "course/report/escape.h"
 #include "course/report/explain.h"
 #include "course/report/text.h"
-#include "grader/report/escape.h"
 
 namespace grader {
+
+using course::escape_terminal;
 
 namespace {
 

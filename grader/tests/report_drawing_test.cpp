@@ -1,5 +1,5 @@
 // Drawings of meshes: what they show, and tables that are broken.
-#include "grader/report/mesh_drawing.h"
+#include "course/report/mesh_drawing.h"
 
 #include <limits>
 
@@ -7,6 +7,7 @@
 #include "grader/tests/golden.h"
 #include "grader/tests/sample_results.h"
 
+using namespace course;
 using namespace grader;
 using namespace grader::tests;
 

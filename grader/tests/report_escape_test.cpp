@@ -1,5 +1,5 @@
 // Whatever a student chose as a name or printed, it stays text in a report.
-#include "grader/report/escape.h"
+#include "course/report/escape.h"
 
 #include <fmt/format.h>
 
@@ -7,10 +7,11 @@
 #include <cstdint>
 #include <stdexcept>
 
-#include "grader/report/html.h"
+#include "course/report/html.h"
 #include "grader/tests/golden.h"
 #include "grader/tests/sample_results.h"
 
+using namespace course;
 using namespace grader;
 using namespace grader::tests;
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace grader {
+namespace course {
 
 /// Markup of our own, with all text in it escaped.
 struct Html {
@@ -68,4 +68,4 @@ Html markup(std::string_view pattern, const Values&... values) {
     return piece;
 }
 
-}  // namespace grader
+}  // namespace course

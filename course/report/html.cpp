@@ -1,13 +1,13 @@
-#include "grader/report/html.h"
+#include "course/report/html.h"
 
 #include <array>
 #include <charconv>
 #include <cmath>
 #include <stdexcept>
 
-#include "grader/report/escape.h"
+#include "course/report/escape.h"
 
-namespace grader::detail {
+namespace course::detail {
 
 namespace {
 
@@ -86,4 +86,4 @@ void Filling::end() {
     text_ += rest_;
 }
 
-}  // namespace grader::detail
+}  // namespace course::detail

@@ -1,4 +1,4 @@
-#include "grader/report/mesh_drawing.h"
+#include "course/report/mesh_drawing.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-namespace grader {
+namespace course {
 
 namespace {
 
@@ -110,11 +110,11 @@ std::optional<Layout> by_positions(const std::vector<Vec3>& positions,
 /// One drawing while it is made.
 class Drawing {
 public:
-    Drawing(const Rows& rows, Layout layout, const course::Walk& walk)
+    Drawing(const Rows& rows, Layout layout, const Walk& walk)
         : rows_(rows),
           vertex_count_(vertex_count(rows)),
           layout_(std::move(layout)),
-          order_(course::walk_order(walk)) {}
+          order_(walk_order(walk)) {}
 
     Html draw(std::string_view name) {
         append(out_,
@@ -148,7 +148,8 @@ private:
     }
     std::optional<Point> start(int i) const { return vertex(row(i).vi); }
     std::optional<Point> tip(int i) const {
-        return is_row(row(i).opp) ? start(row(i).opp) : std::nullopt;
+        const int after = row(i).opp == -1 ? row(i).next : row(i).opp;
+        return is_row(after) ? start(after) : std::nullopt;
     }
 
     /// The corners of a face, if the walk round it closes.
@@ -216,7 +217,7 @@ private:
 
     void edges() {
         for (int i = 0; i < size(); ++i)
-            if (start(i) && tip(i) && i < row(i).opp)
+            if (start(i) && tip(i) && (i < row(i).opp || row(i).opp == -1))
                 line("edge", *start(i), *tip(i));
     }
 
@@ -301,7 +302,7 @@ private:
 
 }  // namespace
 
-Html mesh_drawing(const course::MeshPicture& mesh, const course::Walk& walk) {
+Html mesh_drawing(const MeshPicture& mesh, const Walk& walk) {
     const int count = vertex_count(mesh.rows);
     if (count == 0 || mesh.rows.size() > most_drawn_half_edges) return {};
     const auto vertices = static_cast<std::size_t>(count);
@@ -310,4 +311,4 @@ Html mesh_drawing(const course::MeshPicture& mesh, const course::Walk& walk) {
     return Drawing(mesh.rows, *layout, walk).draw(mesh.name);
 }
 
-}  // namespace grader
+}  // namespace course

@@ -1,11 +1,11 @@
-#include "grader/report/escape.h"
+#include "course/report/escape.h"
 
 #include <algorithm>
 #include <array>
 
 #include "course/report/text.h"
 
-namespace grader {
+namespace course {
 
 namespace {
 
@@ -15,7 +15,7 @@ std::string shown(std::string_view text) {
     const bool is_plain = std::all_of(text.begin(), text.end(), [](char c) {
         return (c >= ' ' && c <= '~') || c == '\n' || c == '\t';
     });
-    return is_plain ? std::string(text) : course::visible(text);
+    return is_plain ? std::string(text) : visible(text);
 }
 
 /// The characters that are the same in HTML.
@@ -113,4 +113,4 @@ std::string escape_json(std::string_view text) {
     return shown(text);
 }
 
-}  // namespace grader
+}  // namespace course

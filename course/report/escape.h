@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace grader {
+namespace course {
 
 /// For the content and the quoted attributes of HTML.
 std::string escape_html(std::string_view text);
@@ -26,4 +26,4 @@ std::string escape_terminal(std::string_view text);
 /// quoting.
 std::string escape_json(std::string_view text);
 
-}  // namespace grader
+}  // namespace course

@@ -11,6 +11,7 @@
 #include "course/mesh/file_defects.h"
 #include "course/runner/exercises.h"
 #include "course/runner/judge_submission.h"
+#include "course/runner/make_ready.h"
 
 namespace course {
 
@@ -33,6 +34,7 @@ int check(const std::string& name, fs::path file) {
     if (file.empty()) file = fs::relative(exercise.skeleton());
     if (!fs::is_regular_file(file))
         throw CannotBegin(fmt::format("{} is no file", file.string()));
+    make_ready({exercise}, {JudgeKind::lab});
     LocalWorkplace workplace;
     constexpr std::uint64_t seed = 1;
     const ExerciseResult result =

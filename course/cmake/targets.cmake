@@ -188,7 +188,6 @@ function(course_entry name)
         DEPENDS ${name}_entry ${entry} ${before}
         COMMAND_EXPAND_LISTS)
     add_custom_target(${name}_entry_file ALL DEPENDS ${file})
-    add_dependencies(lab_ready ${name}_entry_file)
 endfunction()
 
 # All targets of one exercise, from the files that it consists of:
@@ -221,7 +220,6 @@ function(course_add_exercise topic name)
     course_suite(${name}_shown
                  ${CMAKE_SOURCE_DIR}/exercises/${topic}/${name}_test.cpp)
     course_judge(lab ${name} SOURCES ${proxy} SUITES ${name}_shown)
-    add_dependencies(lab_ready judge_lab_${name})
     if(NOT EXISTS ${hidden})
         return()
     endif()
@@ -230,8 +228,6 @@ function(course_add_exercise topic name)
                  SUITES ${name}_shown ${name}_hidden LINK course_oracle)
     course_judge(reference ${name} SOURCES ${reference}
                  SUITES ${name}_shown ${name}_hidden LINK course_oracle)
-    add_dependencies(grader_ready judge_grade_${name})
-    add_dependencies(validate_ready judge_reference_${name})
 endfunction()
 
 # An exercise is added by adding its files: each contract makes one.

@@ -322,10 +322,12 @@ TEST_CASE("half a reply is an end of time, or an end of the program") {
 }
 
 TEST_CASE("a reply longer than the limit is refused by its length alone") {
-    // The limit, what the table of the call allows beside it, and one more.
+    // The limit, what table, id, budget and start allow beside it, and one
+    // more.
     const std::uint64_t one_too_many =
         (std::uint64_t{1} << 20) +
-        2 * sizeof(HalfEdge) * zoo::slide().he.rows().size() + 1;
+        2 * sizeof(HalfEdge) * zoo::slide().he.rows().size() +
+        4 * (2 * sizeof(std::uint64_t) + sizeof(int)) + 1;
     for (const std::uint64_t length :
          {one_too_many, std::uint64_t{1} << 40,
           std::numeric_limits<std::uint64_t>::max()})

@@ -11,8 +11,11 @@
 #include <chrono>
 #include <csignal>
 #include <cstdio>
+#include <optional>
+#include <set>
 #include <string_view>
 
+#include "course/runner/make_ready.h"
 #include "grader/pipeline/ingest.h"
 
 namespace grader {
@@ -86,11 +89,11 @@ std::vector<std::string> names_of(
     return names;
 }
 
-Assignment assignment_of(const ClassOptions& options,
-                         const std::vector<std::string>& names) {
-    if (options.assignment.empty()) return default_assignment(names);
+std::optional<Assignment> assignment_of(const ClassOptions& options) {
+    if (options.assignment.empty()) return std::nullopt;
     try {
-        return read_assignment(options.assignment, names);
+        return read_assignment(options.assignment,
+                               names_of(course::all_exercises()));
     } catch (const AssignmentError& error) {
         throw CannotBegin(error.what());
     }
@@ -133,12 +136,48 @@ course::Descriptor lock_folder(const fs::path& folder) {
     return lock;
 }
 
-ClassRun class_run(const ClassOptions& options, const Assignment& assignment) {
-    ClassRun run;
-    for (const Assignment::Item& item : assignment.exercises)
-        run.exercises.push_back(
+std::vector<course::Exercise> exercises_of(
+    const std::optional<Assignment>& assignment) {
+    if (!assignment) return course::all_exercises();
+    std::vector<course::Exercise> exercises;
+    for (const Assignment::Item& item : assignment->exercises)
+        exercises.push_back(
             course::exercise_named(std::string(short_name(item.exercise))));
+    return exercises;
+}
+
+/// The chapters of which somebody handed in a file; all when nobody did.
+std::set<std::string> chapters_handed_in(const ClassRun& run) {
+    std::set<std::string> chapters;
+    for (const Submission& submission : run.submitted.submissions)
+        for (std::size_t k = 0; k < run.exercises.size(); ++k)
+            if (submission.files[k]) chapters.insert(run.exercises[k].topic);
+    if (chapters.empty())
+        for (const course::Exercise& exercise : run.exercises)
+            chapters.insert(exercise.topic);
+    return chapters;
+}
+
+/// Leaves out what is not of these chapters.
+void keep_chapters(ClassRun& run, const std::set<std::string>& chapters) {
+    std::size_t kept = 0;
+    for (std::size_t k = 0; k < run.exercises.size(); ++k) {
+        if (!chapters.contains(run.exercises[k].topic)) continue;
+        for (Submission& submission : run.submitted.submissions)
+            submission.files[kept] = submission.files[k];
+        run.exercises[kept++] = run.exercises[k];
+    }
+    run.exercises.resize(kept);
+    for (Submission& submission : run.submitted.submissions)
+        submission.files.resize(kept);
+}
+
+ClassRun class_run(const ClassOptions& options,
+                   const std::optional<Assignment>& assignment) {
+    ClassRun run;
+    run.exercises = exercises_of(assignment);
     run.submitted = submissions_of(options, run.exercises);
+    if (!assignment) keep_chapters(run, chapters_handed_in(run));
     run.only = options.only;
     run.judging = {options.judging.seed, options.judging.repeats};
     return run;
@@ -159,7 +198,8 @@ void ClassOptions::add_to(CLI::App& app) {
     app.add_option("--out", out, "folder for gradebook, grades and reports")
         ->required();
     app.add_option("--assignment", assignment,
-                   "which exercises, with which weights (default: all)");
+                   "which exercises, with which weights (default: those of "
+                   "the chapters of which somebody handed in a file)");
     app.add_option("--only", only,
                    "judge only this student (name of the folder or archive, "
                    "or id)");
@@ -168,13 +208,16 @@ void ClassOptions::add_to(CLI::App& app) {
 }
 
 ClassSession::ClassSession(const ClassOptions& options)
-    : assignment_(assignment_of(options, names_of(course::all_exercises()))),
-      run_(class_run(options, assignment_)),
+    : chosen_(assignment_of(options)),
+      run_(class_run(options, chosen_)),
+      assignment_(chosen_ ? *chosen_
+                          : default_assignment(names_of(run_.exercises))),
       bench_(options.judging),
       lock_(make_and_lock(options.out)),
       gradebook_(options.out / "gradebook.sqlite"),
       executor_(
           executor_for(options.executor, bench_, run_.judging, options.out)) {
+    course::make_ready(run_.exercises, {course::JudgeKind::grade});
     run_.jobs = bench_.jobs();
     run_.isolation = bench_.isolation_text();
     fmt::print(stderr, "Isolation: {}\n", run_.isolation);

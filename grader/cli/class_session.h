@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
 #include "course/runner/descriptors.h"
@@ -41,8 +42,9 @@ public:
     Gradebook& gradebook() { return gradebook_; }
 
 private:
-    Assignment assignment_;
+    std::optional<Assignment> chosen_;  ///< by the instructor
     ClassRun run_;
+    Assignment assignment_;
     Bench bench_;
     course::Descriptor lock_;
     Gradebook gradebook_;

@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include "course/report/text.h"
+#include "course/runner/make_ready.h"
 #include "grader/cli/commands.h"
 #include "grader/pipeline/attacks.h"
 
@@ -42,9 +43,11 @@ const std::vector<Promise>& promises() {
 /// Judges one attack; what went wrong, or nothing.
 std::string trouble_with(const Attack& attack, const Bench& bench) {
     const course::TemporaryFolder folder;
-    const auto result = course::judge_submission(
-        *bench.workplace(0), course::exercise_named(attack.exercise),
-        hand_in(attack, folder.path()), course::JudgeKind::grade, {1});
+    const auto exercise = course::exercise_named(attack.exercise);
+    course::make_ready({exercise}, {course::JudgeKind::grade});
+    const auto result = course::judge_submission(*bench.workplace(0), exercise,
+                                                 hand_in(attack, folder.path()),
+                                                 course::JudgeKind::grade, {1});
     if (attack.is_as_expected(result)) return "";
     return fmt::format("{}: {}, {} of {} points; expected: {}", attack.name(),
                        words(result.verdict), result.points(), result.max(),

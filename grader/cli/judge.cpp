@@ -5,6 +5,7 @@
 
 #include "course/report/explain.h"
 #include "course/report/text.h"
+#include "course/runner/make_ready.h"
 #include "grader/cli/commands.h"
 #include "grader/pipeline/keys.h"
 
@@ -63,6 +64,7 @@ int judge_command(const Options& options) {
     if (!std::filesystem::is_regular_file(options.file))
         throw CannotBegin(fmt::format("{} is no file", options.file.string()));
     const Bench bench(options.judging);
+    course::make_ready({exercise}, {course::JudgeKind::grade});
     const auto workplace = bench.workplace(0);
     const course::ExerciseResult result = course::judge_submission(
         *workplace, exercise, options.file, course::JudgeKind::grade,

@@ -4,6 +4,7 @@
 
 #include <cstdio>
 
+#include "course/runner/make_ready.h"
 #include "grader/cli/commands.h"
 #include "grader/pipeline/validate.h"
 
@@ -41,6 +42,8 @@ int validate_command(const Options& options) {
     ValidationRun run;
     run.exercises = chosen(options.names);
     const Bench bench(options.judging);
+    course::make_ready(run.exercises, {course::JudgeKind::grade,
+                                       course::JudgeKind::reference});
     run.jobs = bench.jobs();
     run.seed = options.judging.seed;
     run.repeats = options.judging.repeats;

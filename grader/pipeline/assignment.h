@@ -57,7 +57,7 @@ struct AssignmentError : std::runtime_error {
 Assignment read_assignment(const std::filesystem::path& file,
                            const std::vector<std::string>& known);
 
-/// What is graded without a file: every known exercise, with weight 1.
+/// What is graded without a file: every exercise in `known`, with weight 1.
 Assignment default_assignment(const std::vector<std::string>& known);
 
 /// "face_sides" of "01_traversal/face_sides".

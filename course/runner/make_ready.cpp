@@ -62,9 +62,9 @@ void make_ready(const std::vector<Exercise>& exercises,
     const Descriptor lock = build_lock();
     const unsigned jobs = std::max(1u, std::thread::hardware_concurrency());
     Command build;
-    build.arguments = {
-        "cmake",   "--build", build_root(), "--parallel", std::to_string(jobs),
-        "--target"};
+    build.arguments = {COURSE_CMAKE,         "--build",
+                       build_root(),         "--parallel",
+                       std::to_string(jobs), "--target"};
     for (std::string& target : targets(exercises, kinds))
         build.arguments.push_back(std::move(target));
     build.environment = plain_environment();

@@ -1,0 +1,7 @@
+// Takes the border loops off, as in the formula for the other side.
+#include "exercises/04_topology/euler.h"
+
+int euler(const HalfEdgeTable& he) {
+    Counts n = counts(he);
+    return n.vertices - n.edges + n.faces - n.border_loops;
+}

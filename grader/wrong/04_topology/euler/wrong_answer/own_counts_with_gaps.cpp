@@ -1,0 +1,13 @@
+// Counts by the largest number.
+#include "exercises/04_topology/euler.h"
+
+#include <algorithm>
+
+int euler(const HalfEdgeTable& he) {
+    int v = 0, f = 0;
+    for (int i = 0; i < he.size(); ++i) {
+        v = std::max(v, he[i].vi + 1);
+        f = std::max(f, he[i].fi + 1);
+    }
+    return v - he.size() / 2 + f;
+}

@@ -1,0 +1,7 @@
+// Edges and faces have each other's sign.
+#include "exercises/04_topology/euler.h"
+
+int euler(const HalfEdgeTable& he) {
+    Counts n = counts(he);
+    return n.vertices + n.edges - n.faces;
+}

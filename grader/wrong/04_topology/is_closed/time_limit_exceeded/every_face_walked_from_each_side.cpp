@@ -1,0 +1,9 @@
+// Walks the whole mesh again for each half-edge.
+#include "exercises/04_topology/is_closed.h"
+
+bool is_closed(const HalfEdgeTable& he) {
+    for (int i = 0; i < he.size(); ++i)
+        for (int k = 0; k < he.size(); ++k)
+            if (he[i].fi == -1 || he[k].fi == -1) return false;
+    return true;
+}

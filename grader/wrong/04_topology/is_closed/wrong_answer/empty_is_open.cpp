@@ -1,0 +1,8 @@
+// Says that an empty mesh is open.
+#include "exercises/04_topology/is_closed.h"
+
+bool is_closed(const HalfEdgeTable& he) {
+    for (int i = 0; i < he.size(); ++i)
+        if (he[i].fi == -1) return false;
+    return !he.empty();
+}

@@ -1,0 +1,8 @@
+// Asks for two different faces.
+#include "exercises/04_topology/is_closed.h"
+
+bool is_closed(const HalfEdgeTable& he) {
+    for (int i = 0; i < he.size(); ++i)
+        if (he[i].fi == he[he[i].opp].fi || he[i].fi == -1) return false;
+    return true;
+}

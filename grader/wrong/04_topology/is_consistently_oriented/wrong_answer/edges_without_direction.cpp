@@ -1,0 +1,17 @@
+// Counts edges, not sides: two faces at an edge are a fault already.
+#include "exercises/04_topology/is_consistently_oriented.h"
+
+#include <set>
+#include <utility>
+
+bool is_consistently_oriented(const IndexedMesh& mesh) {
+    std::set<std::pair<int, int>> sides;
+    for (FaceList::Face face : mesh.faces)
+        for (std::size_t k = 0; k < face.size(); ++k) {
+            int from = face[k];
+            int to = face[(k + 1) % face.size()];
+            if (!sides.insert({from < to ? from : to, from < to ? to : from}).second)
+                return false;
+        }
+    return true;
+}

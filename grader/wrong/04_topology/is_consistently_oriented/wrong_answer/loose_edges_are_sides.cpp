@@ -1,0 +1,18 @@
+// Takes loose edges for sides of faces.
+#include "exercises/04_topology/is_consistently_oriented.h"
+
+#include <set>
+#include <utility>
+
+bool is_consistently_oriented(const IndexedMesh& mesh) {
+    std::set<std::pair<int, int>> sides;
+    for (FaceList::Face face : mesh.faces)
+        for (std::size_t k = 0; k < face.size(); ++k) {
+            int from = face[k];
+            int to = face[(k + 1) % face.size()];
+            if (!sides.insert({from, to}).second) return false;
+        }
+    for (const auto& edge : mesh.loose_edges)
+        if (!sides.insert({edge[0], edge[1]}).second) return false;
+    return true;
+}

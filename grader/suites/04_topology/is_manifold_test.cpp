@@ -198,9 +198,9 @@ TEST_CASE("generated meshes, some of them with two vertices merged",
 
 TEST_CASE("a mesh of many faces", "[points:1]") {
     hint("How many faces is each face compared with?");
-    const Fixture large = hidden::face_list_only("grid", grid(55, 50));
+    const Fixture large = hidden::face_list_only("grid", grid(40, 40));
     CHECK(is_manifold(hidden::shuffled(large, 5).mesh));
-    const int inside = 20 * 56 + 20, far = 40 * 56 + 40;
+    const int inside = 10 * 41 + 10, far = 30 * 41 + 30;
     CHECK_FALSE(is_manifold(
         hidden::shuffled(hidden::merged(large, inside, far), 6).mesh));
 }

@@ -5,7 +5,7 @@
 
 bool is_consistently_oriented(const IndexedMesh& mesh) {
     auto n = static_cast<std::size_t>(mesh.vertex_count());
-    std::vector<std::vector<int>> sides(n, std::vector<int>(4 * n));
+    std::vector<std::vector<int>> sides(n, std::vector<int>(8 * n));
     for (FaceList::Face face : mesh.faces)
         for (std::size_t k = 0; k < face.size(); ++k) {
             auto from = static_cast<std::size_t>(face[k]);

@@ -9,11 +9,13 @@
 
 namespace course {
 
-/// Brings the judges of these exercises, and what their submissions are linked
-/// with, up to date: seconds for each that was never built, else a tenth of a
-/// second for all. One at a time builds in a tree, others wait; where its
-/// build folder may not be written, things are taken as they are.
-/// Throws SystemError that names the log when something does not build.
+/// To be called before a place is made where submissions are compiled: it
+/// takes what is there then. Brings the judges of these exercises, and what
+/// their submissions are linked with, up to date: seconds for each that was
+/// never built, else a tenth of a second for all. One at a time builds in a
+/// tree, others wait; where its build folder may not be written, things are
+/// taken as they are. Throws SystemError that names the log when something does
+/// not build.
 void make_ready(const std::vector<Exercise>& exercises,
                 const std::vector<JudgeKind>& kinds);
 

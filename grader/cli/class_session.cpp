@@ -178,6 +178,7 @@ ClassRun class_run(const ClassOptions& options,
     run.exercises = exercises_of(assignment);
     run.submitted = submissions_of(options, run.exercises);
     if (!assignment) keep_chapters(run, chapters_handed_in(run));
+    course::make_ready(run.exercises, {course::JudgeKind::grade});
     run.only = options.only;
     run.judging = {options.judging.seed, options.judging.repeats};
     return run;
@@ -217,7 +218,6 @@ ClassSession::ClassSession(const ClassOptions& options)
       gradebook_(options.out / "gradebook.sqlite"),
       executor_(
           executor_for(options.executor, bench_, run_.judging, options.out)) {
-    course::make_ready(run_.exercises, {course::JudgeKind::grade});
     run_.jobs = bench_.jobs();
     run_.isolation = bench_.isolation_text();
     fmt::print(stderr, "Isolation: {}\n", run_.isolation);

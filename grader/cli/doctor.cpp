@@ -40,11 +40,13 @@ const std::vector<Promise>& promises() {
     return all;
 }
 
+/// The exercise that they all hand in.
+constexpr const char* attacked = "face_sides";
+
 /// Judges one attack; what went wrong, or nothing.
 std::string trouble_with(const Attack& attack, const Bench& bench) {
     const course::TemporaryFolder folder;
     const auto exercise = course::exercise_named(attack.exercise);
-    course::make_ready({exercise}, {course::JudgeKind::grade});
     const auto result = course::judge_submission(*bench.workplace(0), exercise,
                                                  hand_in(attack, folder.path()),
                                                  course::JudgeKind::grade, {1});
@@ -59,7 +61,7 @@ bool try_out(const Promise& promise, const Bench& bench) {
     std::vector<std::string> troubles;
     for (const char* name : promise.attacks)
         if (std::string text =
-                trouble_with(attack_named("face_sides", name), bench);
+                trouble_with(attack_named(attacked, name), bench);
             !text.empty())
             troubles.push_back(std::move(text));
     fmt::print("  {:<8}{}\n", troubles.empty() ? "held" : "BROKEN",
@@ -91,6 +93,8 @@ void print_machine(const Bench& bench) {
 int doctor_command(const JudgingOptions& options) {
     if (options.isolation == Isolation::none)
         throw CannotBegin("doctor runs attacks: not without isolation");
+    course::make_ready({course::exercise_named(attacked)},
+                       {course::JudgeKind::grade});
     const Bench bench(options);
     print_machine(bench);
     fmt::print("\nTried just now, with attacks of the corpus:\n");

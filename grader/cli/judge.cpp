@@ -63,8 +63,8 @@ int judge_command(const Options& options) {
     const course::Exercise exercise = course::exercise_named(options.exercise);
     if (!std::filesystem::is_regular_file(options.file))
         throw CannotBegin(fmt::format("{} is no file", options.file.string()));
-    const Bench bench(options.judging);
     course::make_ready({exercise}, {course::JudgeKind::grade});
+    const Bench bench(options.judging);
     const auto workplace = bench.workplace(0);
     const course::ExerciseResult result = course::judge_submission(
         *workplace, exercise, options.file, course::JudgeKind::grade,

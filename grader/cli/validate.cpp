@@ -41,9 +41,9 @@ void print(const std::vector<Validation>& validations) {
 int validate_command(const Options& options) {
     ValidationRun run;
     run.exercises = chosen(options.names);
-    const Bench bench(options.judging);
     course::make_ready(run.exercises, {course::JudgeKind::grade,
                                        course::JudgeKind::reference});
+    const Bench bench(options.judging);
     run.jobs = bench.jobs();
     run.seed = options.judging.seed;
     run.repeats = options.judging.repeats;

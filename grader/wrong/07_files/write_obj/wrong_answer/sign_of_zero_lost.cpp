@@ -1,0 +1,21 @@
+// Writes -0.0 as 0: adding 0 loses its sign.
+#include "exercises/07_files/write_obj.h"
+
+#include <limits>
+#include <sstream>
+
+std::string write_obj(const IndexedMesh& mesh) {
+    std::ostringstream out;
+    out.precision(std::numeric_limits<double>::max_digits10);
+
+    for (Vec3 p : mesh.positions)
+        out << "v " << p.x + 0.0 << ' ' << p.y << ' ' << p.z << '\n';
+    for (FaceList::Face face : mesh.faces) {
+        out << 'f';
+        for (int v : face) out << ' ' << v + 1;
+        out << '\n';
+    }
+    for (auto [a, b] : mesh.loose_edges)
+        out << "l " << a + 1 << ' ' << b + 1 << '\n';
+    return out.str();
+}

@@ -1,0 +1,8 @@
+// Lets t be a little outside.
+#include "exercises/06_geometry/point_at.h"
+
+std::optional<Vec3> point_at(const Line& line, double t) {
+    if (line.extent != Extent::line && t < -1e-9) return std::nullopt;
+    if (line.extent == Extent::segment && t > 1 + 1e-6) return std::nullopt;
+    return line.q + t * line.u;
+}

@@ -1,0 +1,10 @@
+// Goes from the point to the plane: the sides change places.
+#include "exercises/06_geometry/side_of_plane.h"
+
+#include <cmath>
+
+Side side_of_plane(const Plane& plane, Vec3 p, double tolerance) {
+    double distance = dot(plane.q - p, plane.u) / length(plane.u);
+    if (std::abs(distance) <= tolerance) return Side::on;
+    return distance > 0 ? Side::positive : Side::negative;
+}

@@ -1,0 +1,11 @@
+// Asks for a distance of exactly 0.
+#include "exercises/06_geometry/side_of_plane.h"
+
+#include <cmath>
+
+Side side_of_plane(const Plane& plane, Vec3 p,
+                   [[maybe_unused]] double tolerance) {
+    double distance = dot(p - plane.q, plane.u) / length(plane.u);
+    if (std::abs(distance) <= 0) return Side::on;
+    return distance > 0 ? Side::positive : Side::negative;
+}

@@ -1,0 +1,10 @@
+// Takes the normal for a unit vector.
+#include "exercises/06_geometry/side_of_plane.h"
+
+#include <cmath>
+
+Side side_of_plane(const Plane& plane, Vec3 p, double tolerance) {
+    double distance = dot(p - plane.q, plane.u);
+    if (std::abs(distance) <= tolerance) return Side::on;
+    return distance > 0 ? Side::positive : Side::negative;
+}

@@ -1,0 +1,13 @@
+// Counts as parallel what is exactly so only.
+#include "exercises/06_geometry/intersect_plane.h"
+
+#include <cmath>
+
+std::optional<double> intersect_plane(const Line& line, const Plane& plane) {
+    double rate = dot(line.u, plane.u);
+    if (rate == 0) return std::nullopt;
+    double t = dot(plane.q - line.q, plane.u) / rate;
+    if (line.extent != Extent::line && t < 0) return std::nullopt;
+    if (line.extent == Extent::segment && t > 1) return std::nullopt;
+    return t;
+}

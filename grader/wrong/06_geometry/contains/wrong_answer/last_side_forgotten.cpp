@@ -1,0 +1,15 @@
+// Forgets the side from the last corner to the first.
+#include "exercises/06_geometry/contains.h"
+
+bool contains(std::span<const Vec2> polygon, Vec2 p) {
+    bool inside = false;
+    for (std::size_t k = 0; k + 1 < polygon.size(); ++k) {
+        Vec2 a = polygon[k];
+        Vec2 b = polygon[(k + 1) % polygon.size()];
+        // A corner at the height of p counts as below it.
+        if ((a.y > p.y) == (b.y > p.y)) continue;
+        double t = (p.y - a.y) / (b.y - a.y);
+        if (a.x + t * (b.x - a.x) > p.x) inside = !inside;
+    }
+    return inside;
+}

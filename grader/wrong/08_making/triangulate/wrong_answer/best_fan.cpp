@@ -1,0 +1,68 @@
+// Tries a fan from each corner, and takes the first without a triangle that is
+// turned over.
+#include "exercises/08_making/triangulate.h"
+
+#include <string>
+
+namespace {
+
+/// Above 0 when a, b, c turn to the left, seen from the tip of the normal.
+double turn(Vec3 a, Vec3 b, Vec3 c, Vec3 normal) {
+    return dot(cross(b - a, c - a), normal);
+}
+
+Vec3 normal_of(std::span<const Vec3> polygon) {
+    Vec3 sum;
+    for (std::size_t k = 1; k + 1 < polygon.size(); ++k)
+        sum = sum + cross(polygon[k] - polygon[0], polygon[k + 1] - polygon[0]);
+    return sum;
+}
+
+/// Whether p lies in the triangle or on its sides.
+bool in_triangle(Vec3 p, Vec3 a, Vec3 b, Vec3 c, Vec3 normal) {
+    return turn(a, b, p, normal) >= 0 && turn(b, c, p, normal) >= 0 &&
+           turn(c, a, p, normal) >= 0;
+}
+
+/// The corners that are left, and the three of them at place k.
+std::array<int, 3> corner_at(const std::vector<int>& left, std::size_t k) {
+    std::size_t n = left.size();
+    return {left[(k + n - 1) % n], left[k], left[(k + 1) % n]};
+}
+
+bool is_ear(std::span<const Vec3> polygon, const std::vector<int>& left,
+            std::array<int, 3> corner, Vec3 normal) {
+    auto at = [&](int v) { return polygon[static_cast<std::size_t>(v)]; };
+    Vec3 a = at(corner[0]), b = at(corner[1]), c = at(corner[2]);
+    if (turn(a, b, c, normal) <= 0) return false;
+    for (int v : left)
+        if (v != corner[0] && v != corner[1] && v != corner[2] &&
+            in_triangle(at(v), a, b, c, normal))
+            return false;
+    return true;
+}
+
+}  // namespace
+
+std::vector<std::array<int, 3>> triangulate(std::span<const Vec3> polygon) {
+    if (polygon.size() < 3)
+        throw std::invalid_argument(
+            "a polygon has three corners or more, not " +
+            std::to_string(polygon.size()));
+    Vec3 normal = normal_of(polygon);
+    std::vector<std::array<int, 3>> triangles;
+    std::size_t n = polygon.size();
+    for (std::size_t hub = 0; hub < n; ++hub) {
+        triangles.clear();
+        bool good = true;
+        for (std::size_t k = 1; k + 1 < n; ++k) {
+            std::size_t b = (hub + k) % n, c = (hub + k + 1) % n;
+            triangles.push_back({static_cast<int>(hub), static_cast<int>(b),
+                                 static_cast<int>(c)});
+            if (turn(polygon[hub], polygon[b], polygon[c], normal) <= 0)
+                good = false;
+        }
+        if (good) break;
+    }
+    return triangles;
+}

@@ -18,11 +18,12 @@ void check_faces(const IndexedMesh& mesh, const IndexedMesh& cut) {
     int t = 0;
     for (const FaceList::Face face : mesh.faces)
         for (std::size_t k = 2; k < face.size(); ++k, ++t) {
-            INFO("triangle " << t << ", of the face " << show(list(face)));
             REQUIRE(t < cut.faces.size());
             const auto got = list(cut.faces[t]);
             const std::vector<int> wanted = {face[0], face[k - 1], face[k]};
-            if (got != wanted) REQUIRE_THAT(got, IsRotationOf(wanted));
+            if (IsRotationOf(wanted).match(got)) continue;
+            INFO("triangle " << t << ", of the face " << show(list(face)));
+            REQUIRE_THAT(got, IsRotationOf(wanted));
         }
     REQUIRE(cut.faces.size() == t);
 }

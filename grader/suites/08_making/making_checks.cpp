@@ -59,6 +59,7 @@ std::string bad_triangle(std::span<const Vec3> polygon,
 }  // namespace
 
 std::string malformed_mesh(const IndexedMesh& mesh, std::size_t sides) {
+    if (!mesh.loose_edges.empty()) return "there are loose edges";
     for (int v = 0; v < mesh.vertex_count(); ++v) {
         const Vec3 p = at(mesh.positions, v);
         if (!std::isfinite(p.x + p.y + p.z))

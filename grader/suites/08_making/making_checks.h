@@ -37,8 +37,9 @@ private:
     mutable std::string why_;
 };
 
-/// Why the faces are not `sides` distinct vertices each, or a position is not
-/// finite; "" when all is well. Comes before any other question.
+/// Why the faces are not `sides` distinct vertices each, a position is not
+/// finite, or there are loose edges; "" when all is well. Comes before any
+/// other question.
 std::string malformed_mesh(const IndexedMesh& mesh, std::size_t sides);
 
 /// A side that two faces run along in the same direction, or that only one

@@ -40,7 +40,6 @@ public:
         if (why.empty()) why = bad_triangles();
         if (why.empty()) why = bad_cells();
         if (why.empty()) why = gap();
-        if (why.empty() && !mesh_.loose_edges.empty()) why = "has loose edges";
         return why;
     }
 

@@ -99,8 +99,6 @@ oracle::FaultMatcher<IndexedMesh> IsSurfaceOf(const VoxelGrid& grid) {
                 std::string why = oracle::malformed_mesh(mesh, 4);
                 if (why.empty()) why = bad_vertices(grid, mesh);
                 if (why.empty()) why = bad_quads(grid, mesh);
-                if (why.empty() && !mesh.loose_edges.empty())
-                    why = "there are loose edges";
                 return why;
             }};
 }

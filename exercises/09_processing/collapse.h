@@ -18,7 +18,7 @@
 /// Precondition: that of can_collapse, which you may call: in grading, it is a
 /// right one.
 /// Errors: std::invalid_argument when can_collapse(he, i) is false.
-/// Cost: linear in the size of the table.
+/// Cost: O(n log n) for n half-edges; linear is possible.
 /// Slide mesh: collapse(he, 12) pulls vertex 4 into vertex 1. F1 is (1,2,5)
 /// now, F0 and F2 are as before, and 14 half-edges are left. collapse(he, 1)
 /// pulls vertex 0 into vertex 2: F0 goes, F1 and F2 are as before, and 12

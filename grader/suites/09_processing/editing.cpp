@@ -160,15 +160,23 @@ std::string broken_rule(const HalfEdgeTable& he) {
     return findings.empty() ? "" : to_string(he, findings.front());
 }
 
-std::string difference(const HalfEdgeTable& table, const Content& expected) {
+std::string difference(const HalfEdgeTable& got, const Content& expected) {
+    return difference(got, expected, {});
+}
+
+std::string difference(const HalfEdgeTable& table, const Content& expected,
+                       std::vector<Loop> new_faces) {
     std::string rule = broken_rule(table);
     if (!rule.empty()) return rule;
     const Content got = content_of(table);
+    for (Loop& loop : new_faces) loop = from_smallest(loop);
     for (const auto& [f, loop] : got.faces) {
         const auto found = expected.faces.find(f);
-        if (found == expected.faces.end())
+        if (found == expected.faces.end()) {
+            if (std::erase(new_faces, loop) == 1) continue;
             return fmt::format("there is a face {}, {}, expected none", f,
                                show_loop(loop));
+        }
         if (found->second != loop)
             return fmt::format("face {} is {}, expected {}", f, show_loop(loop),
                                show_loop(found->second));
@@ -177,6 +185,8 @@ std::string difference(const HalfEdgeTable& table, const Content& expected) {
         if (!got.faces.contains(f))
             return fmt::format("face {} is missing, expected {}", f,
                                show_loop(loop));
+    for (const Loop& loop : new_faces)
+        return fmt::format("there is no face {}", show_loop(loop));
     if (got.borders == expected.borders) return "";
     std::vector<std::string> a, b;
     for (const Loop& loop : got.borders) a.push_back(show_loop(loop));
@@ -324,6 +334,15 @@ Fixture one_quad() {
         {{{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}}, {{0, 1, 2, 3}}, {}});
 }
 
+// open_tetra: the triangles of a tetrahedron at its apex 3.
+//                                        V,E,F = 4,6,3   chi 1   1 loop
+Fixture open_tetra() {
+    IndexedMesh mesh{circle(3, 2, 0), {}, {}};
+    mesh.positions.push_back({0, 0, 2});
+    mesh.faces = {{0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
+    return made("open tetra", mesh);
+}
+
 // ear: the triangle (0,4,1) stands on      3---------2
 // the edge 0-1 of the face (0,4,1,2,3)     |    A    |
 // with the tip 4 inside, which has two     |   4     |
@@ -369,6 +388,15 @@ std::vector<Fixture> generated_surfaces() {
         if (is_surface(fixture)) all.push_back(renumbered(fixture, k));
     }
     return all;
+}
+
+Fixture with_gaps_in_faces(Fixture fixture) {
+    std::vector<HalfEdge> rows = fixture.he.rows();
+    for (HalfEdge& row : rows)
+        if (row.fi != -1) row.fi = 3 * row.fi + 2;
+    fixture.he = HalfEdgeTable(std::move(rows));
+    fixture.name += ", gaps in the numbers of its faces";
+    return fixture;
 }
 
 std::vector<Fixture> of_triangles(std::vector<Fixture> fixtures) {

@@ -35,6 +35,11 @@ Content content_of(const HalfEdgeTable& he);
 /// it breaks, or a face or border that it should not have, or should.
 std::string difference(const HalfEdgeTable& got, const Content& expected);
 
+/// The same for tables that have these faces as well, under any numbers that
+/// are not in `expected`.
+std::string difference(const HalfEdgeTable& got, const Content& expected,
+                       std::vector<Loop> new_faces);
+
 /// The first rule that the table breaks, or "".
 std::string broken_rule(const HalfEdgeTable& he);
 
@@ -71,6 +76,7 @@ Fixture tube_of_three();  ///< open at both ends, three edges round
 Fixture neck();           ///< closed, with a neck of three edges
 Fixture ribbon();         ///< a strip of triangles
 Fixture one_quad();       ///< a single quad
+Fixture open_tetra();     ///< a tetrahedron without one of its faces
 Fixture ear();            ///< an interior vertex of two edges
 
 /// These, and all meshes by hand that are surfaces.
@@ -84,6 +90,9 @@ std::vector<Fixture> generated_surfaces();
 
 /// Those of `fixtures` that have triangles only.
 std::vector<Fixture> of_triangles(std::vector<Fixture> fixtures);
+
+/// The same mesh with face numbers 2, 5, 8 ... in the table.
+Fixture with_gaps_in_faces(Fixture fixture);
 
 /// A fixture from faces, and from positions.
 Fixture made(std::string name, IndexedMesh mesh);

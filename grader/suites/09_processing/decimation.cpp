@@ -1,9 +1,12 @@
 #include "grader/suites/09_processing/decimation.h"
 
 #include <algorithm>
+#include <cmath>
+#include <map>
 #include <set>
 #include <tuple>
 
+#include "course/mesh/generators.h"
 #include "course/runner/suite.h"
 
 namespace course::decimation {
@@ -85,6 +88,157 @@ Content simplified(Content content, const std::vector<Vec3>& positions,
         content = editing::pulled_together(content, pull->gone, pull->kept);
     }
     return content;
+}
+
+Fixture rounded(Fixture fixture, std::uint64_t salt, int jitter) {
+    std::uint64_t state = seed() * 1000 + salt;
+    const auto moved = [&](double x) {
+        const auto by = next(state) % std::uint64_t(2 * jitter + 1);
+        return std::round(24 * x) + double(by) - jitter;
+    };
+    for (Vec3& p : fixture.mesh.positions)
+        p = {moved(p.x), moved(p.y), moved(p.z)};
+    fixture.name += ", whole coordinates";
+    return fixture;
+}
+
+Fixture terrain(int nx, int ny, std::uint64_t salt, int rough) {
+    std::uint64_t state = seed() * 1000 + salt;
+    Fixture fixture = editing::made("terrain", grid(nx, ny, Cells::triangles));
+    for (Vec3& p : fixture.mesh.positions)
+        p = {4 * p.x, 4 * p.y, double(next(state) % std::uint64_t(rough + 1))};
+    return fixture;
+}
+
+Fixture cut_cube(int n) {
+    std::map<std::array<int, 3>, int> numbers;
+    IndexedMesh mesh;
+    const auto vertex = [&](std::array<int, 3> at) {
+        const auto [entry, is_new] =
+            numbers.emplace(at, static_cast<int>(numbers.size()));
+        if (is_new)
+            mesh.positions.push_back(
+                {double(at[0]), double(at[1]), double(at[2])});
+        return entry->second;
+    };
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        for (const int side : {0, n})
+            for (int u = 0; u < n; ++u)
+                for (int v = 0; v < n; ++v) {
+                    std::array<int, 4> corner{};
+                    for (int k = 0; k < 4; ++k) {
+                        std::array<int, 3> at{};
+                        at[axis] = side;
+                        at[(axis + 1) % 3] = u + (k == 1 || k == 2 ? 1 : 0);
+                        at[(axis + 2) % 3] = v + (k >= 2 ? 1 : 0);
+                        corner[std::size_t(k)] = vertex(at);
+                    }
+                    const auto [a, b, c, d] = corner;
+                    if (side == n) {
+                        mesh.faces.push_back({a, b, c});
+                        mesh.faces.push_back({a, c, d});
+                    } else {
+                        mesh.faces.push_back({a, c, b});
+                        mesh.faces.push_back({a, d, c});
+                    }
+                }
+    return editing::made("cube of cut squares", mesh);
+}
+
+namespace {
+
+Vec3 normal_of(const std::array<Vec3, 3>& t) {
+    return cross(t[1] - t[0], t[2] - t[0]);
+}
+
+std::array<Vec3, 3> corners(const editing::Loop& face,
+                            const std::vector<Vec3>& positions) {
+    return {positions.at(std::size_t(face.at(0))),
+            positions.at(std::size_t(face.at(1))),
+            positions.at(std::size_t(face.at(2)))};
+}
+
+double error_at(const Planes& planes, Vec3 p) {
+    double sum = 0;
+    for (const auto& plane : planes) {
+        const double height = dot(normal_of(plane), p - plane[0]);
+        sum += height * height;
+    }
+    return sum;
+}
+
+bool turns_over(const Content& content, const std::vector<Vec3>& positions,
+                Pull pull) {
+    for (const auto& [f, face] : content.faces) {
+        editing::Loop moved = face;
+        std::replace(moved.begin(), moved.end(), pull.gone, pull.kept);
+        const bool vanishes =
+            std::count(moved.begin(), moved.end(), pull.kept) > 1;
+        if (moved == face || vanishes) continue;
+        if (!(dot(normal_of(corners(face, positions)),
+                  normal_of(corners(moved, positions))) > 0))
+            return true;
+    }
+    return false;
+}
+
+using Ranked = std::vector<std::tuple<double, int, int>>;
+
+Ranked ranked(const Content& content, const std::vector<Vec3>& positions,
+              const std::map<int, Planes>& planes) {
+    Ranked all;
+    for (const auto& [a, b] : edges(content))
+        for (const auto& [u, v] : {std::pair(a, b), std::pair(b, a)}) {
+            const Vec3 p = positions.at(std::size_t(v));
+            all.emplace_back(
+                error_at(planes.at(u), p) + error_at(planes.at(v), p), u, v);
+        }
+    std::sort(all.begin(), all.end());
+    return all;
+}
+
+std::optional<Pull> cheapest(const Content& content,
+                             const std::vector<Vec3>& positions,
+                             const std::map<int, Planes>& planes) {
+    for (const auto& [error, u, v] : ranked(content, positions, planes))
+        if (!on_border(content, u) && !turns_over(content, positions, {u, v}) &&
+            editing::may_be_pulled_together(content, u, v))
+            return Pull{u, v};
+    return std::nullopt;
+}
+
+}  // namespace
+
+Content simplified_by_planes(Content content,
+                             const std::vector<Vec3>& positions, int faces) {
+    std::map<int, Planes> planes;
+    for (const auto& [f, face] : content.faces)
+        for (const int v : face) planes[v].push_back(corners(face, positions));
+    while (face_count(content) > faces) {
+        const std::optional<Pull> pull = cheapest(content, positions, planes);
+        if (!pull) break;
+        Planes& kept = planes[pull->kept];
+        const Planes& gone = planes[pull->gone];
+        kept.insert(kept.end(), gone.begin(), gone.end());
+        content = editing::pulled_together(content, pull->gone, pull->kept);
+    }
+    return content;
+}
+
+double six_volumes(const Content& content, const std::vector<Vec3>& positions) {
+    double sum = 0;
+    for (const auto& [f, face] : content.faces) {
+        const auto [a, b, c] = corners(face, positions);
+        sum += dot(a, cross(b, c));
+    }
+    return sum;
+}
+
+Vec3 total_normal(const Content& content, const std::vector<Vec3>& positions) {
+    Vec3 sum;
+    for (const auto& [f, face] : content.faces)
+        sum = sum + normal_of(corners(face, positions));
+    return sum;
 }
 
 }  // namespace course::decimation

@@ -3,6 +3,7 @@
 // on loops of vertices.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -40,5 +41,28 @@ std::optional<Pull> shortest(const Content& content,
 /// Simplified by length until there are at most `faces`, or no edge may go.
 Content simplified(Content content, const std::vector<Vec3>& positions,
                    int faces);
+
+/// Vertices at whole coordinates: 24 times as large, rounded, and each moved by
+/// up to `jitter` along each axis.
+Fixture rounded(Fixture fixture, std::uint64_t salt, int jitter);
+
+/// nx times ny squares of side 4 cut into triangles, at heights 0 .. rough.
+Fixture terrain(int nx, int ny, std::uint64_t salt, int rough);
+
+/// A cube of side n whose faces are n times n squares, each cut in two.
+Fixture cut_cube(int n);
+
+/// The planes that a vertex has, each as three points.
+using Planes = std::vector<std::array<Vec3, 3>>;
+
+/// Simplified by quadric error, with a list of planes for each vertex.
+Content simplified_by_planes(Content content,
+                             const std::vector<Vec3>& positions, int faces);
+
+/// Six times the signed volume that the faces enclose, from the origin.
+double six_volumes(const Content& content, const std::vector<Vec3>& positions);
+
+/// Sum of the normals of all triangles, each twice its area long.
+Vec3 total_normal(const Content& content, const std::vector<Vec3>& positions);
 
 }  // namespace course::decimation

@@ -1,0 +1,32 @@
+// Takes the ratio of the numbers of faces for the distance.
+#include "exercises/09_processing/lod_pyramid.h"
+
+#include <set>
+
+namespace {
+
+int face_count(const HalfEdgeTable& he) {
+    std::set<int> faces;
+    for (const HalfEdge& row : he)
+        if (row.fi != -1) faces.insert(row.fi);
+    return int(faces.size());
+}
+
+}  // namespace
+
+std::vector<LevelOfDetail> lod_pyramid(const HalfEdgeTable& he,
+                                       std::span<const Vec3> positions,
+                                       int levels) {
+    if (levels < 1) throw std::invalid_argument("a pyramid has a level");
+    std::vector<LevelOfDetail> pyramid = {{he, 1}};
+    while (int(pyramid.size()) < levels) {
+        const HalfEdgeTable& finer = pyramid.back().he;
+        int faces = face_count(finer);
+        HalfEdgeTable coarser = simplify(finer, positions, faces / 2);
+        if (face_count(coarser) == faces) break;
+        double from =
+            double(face_count(he)) / face_count(coarser);
+        pyramid.push_back({coarser, from});
+    }
+    return pyramid;
+}

@@ -110,38 +110,54 @@ Fixture terrain(int nx, int ny, std::uint64_t salt, int rough) {
     return fixture;
 }
 
-Fixture cut_cube(int n) {
-    std::map<std::array<int, 3>, int> numbers;
-    IndexedMesh mesh;
-    const auto vertex = [&](std::array<int, 3> at) {
-        const auto [entry, is_new] =
-            numbers.emplace(at, static_cast<int>(numbers.size()));
+namespace {
+
+using Lattice = std::array<int, 3>;
+
+/// Numbers the points of a lattice in the order in which they are asked for.
+class LatticeVertices {
+public:
+    int operator()(Lattice at) {
+        const auto [entry, is_new] = numbers_.emplace(at, numbers_.size());
         if (is_new)
-            mesh.positions.push_back(
-                {double(at[0]), double(at[1]), double(at[2])});
-        return entry->second;
-    };
-    for (std::size_t axis = 0; axis < 3; ++axis)
-        for (const int side : {0, n})
-            for (int u = 0; u < n; ++u)
-                for (int v = 0; v < n; ++v) {
-                    std::array<int, 4> corner{};
-                    for (int k = 0; k < 4; ++k) {
-                        std::array<int, 3> at{};
-                        at[axis] = side;
-                        at[(axis + 1) % 3] = u + (k == 1 || k == 2 ? 1 : 0);
-                        at[(axis + 2) % 3] = v + (k >= 2 ? 1 : 0);
-                        corner[std::size_t(k)] = vertex(at);
-                    }
-                    const auto [a, b, c, d] = corner;
-                    if (side == n) {
-                        mesh.faces.push_back({a, b, c});
-                        mesh.faces.push_back({a, c, d});
-                    } else {
-                        mesh.faces.push_back({a, c, b});
-                        mesh.faces.push_back({a, d, c});
-                    }
-                }
+            positions_.push_back({double(at[0]), double(at[1]), double(at[2])});
+        return static_cast<int>(entry->second);
+    }
+    std::vector<Vec3> positions() const { return positions_; }
+
+private:
+    std::map<Lattice, std::size_t> numbers_;
+    std::vector<Vec3> positions_;
+};
+
+/// The square whose first corner is (u, v) on one of the two sides of the cube
+/// across an axis, as two triangles that are wound outwards.
+void add_square(FaceList& faces, LatticeVertices& vertex, std::size_t axis,
+                int side, int u, int v) {
+    std::array<int, 4> square{};
+    for (std::size_t k = 0; k < 4; ++k) {
+        Lattice at{};
+        at[axis] = side;
+        at[(axis + 1) % 3] = u + (k == 1 || k == 2 ? 1 : 0);
+        at[(axis + 2) % 3] = v + (k >= 2 ? 1 : 0);
+        square[k] = vertex(at);
+    }
+    if (side == 0) std::swap(square[1], square[3]);
+    faces.push_back({square[0], square[1], square[2]});
+    faces.push_back({square[0], square[2], square[3]});
+}
+
+}  // namespace
+
+Fixture cut_cube(int n) {
+    LatticeVertices vertex;
+    IndexedMesh mesh;
+    for (int k = 0; k < 6 * n * n; ++k) {
+        const int side = k / (3 * n * n) == 0 ? 0 : n;
+        const auto axis = std::size_t(k / (n * n) % 3);
+        add_square(mesh.faces, vertex, axis, side, k / n % n, k % n);
+    }
+    mesh.positions = vertex.positions();
     return editing::made("cube of cut squares", mesh);
 }
 

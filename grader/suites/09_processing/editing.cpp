@@ -164,35 +164,48 @@ std::string difference(const HalfEdgeTable& got, const Content& expected) {
     return difference(got, expected, {});
 }
 
-std::string difference(const HalfEdgeTable& table, const Content& expected,
-                       std::vector<Loop> new_faces) {
-    std::string rule = broken_rule(table);
-    if (!rule.empty()) return rule;
-    const Content got = content_of(table);
+namespace {
+
+/// The first face that is not as expected, or "".
+std::string face_difference(const std::map<int, Loop>& got,
+                            const std::map<int, Loop>& expected,
+                            std::vector<Loop> new_faces) {
     for (Loop& loop : new_faces) loop = from_smallest(loop);
-    for (const auto& [f, loop] : got.faces) {
-        const auto found = expected.faces.find(f);
-        if (found == expected.faces.end()) {
-            if (std::erase(new_faces, loop) == 1) continue;
-            return fmt::format("there is a face {}, {}, expected none", f,
-                               show_loop(loop));
-        }
-        if (found->second != loop)
+    for (const auto& [f, loop] : got) {
+        const auto found = expected.find(f);
+        if (found != expected.end() && found->second != loop)
             return fmt::format("face {} is {}, expected {}", f, show_loop(loop),
                                show_loop(found->second));
+        if (found == expected.end() && std::erase(new_faces, loop) != 1)
+            return fmt::format("there is a face {}, {}, expected none", f,
+                               show_loop(loop));
     }
-    for (const auto& [f, loop] : expected.faces)
-        if (!got.faces.contains(f))
+    for (const auto& [f, loop] : expected)
+        if (!got.contains(f))
             return fmt::format("face {} is missing, expected {}", f,
                                show_loop(loop));
-    for (const Loop& loop : new_faces)
-        return fmt::format("there is no face {}", show_loop(loop));
-    if (got.borders == expected.borders) return "";
-    std::vector<std::string> a, b;
-    for (const Loop& loop : got.borders) a.push_back(show_loop(loop));
-    for (const Loop& loop : expected.borders) b.push_back(show_loop(loop));
-    return fmt::format("the borders are {}, expected {}", fmt::join(a, " "),
-                       fmt::join(b, " "));
+    if (new_faces.empty()) return "";
+    return fmt::format("there is no face {}", show_loop(new_faces.front()));
+}
+
+std::string show_loops(const std::vector<Loop>& loops) {
+    std::vector<std::string> shown;
+    for (const Loop& loop : loops) shown.push_back(show_loop(loop));
+    return fmt::format("{}", fmt::join(shown, " "));
+}
+
+}  // namespace
+
+std::string difference(const HalfEdgeTable& table, const Content& expected,
+                       std::vector<Loop> new_faces) {
+    const std::string rule = broken_rule(table);
+    if (!rule.empty()) return rule;
+    const Content got = content_of(table);
+    const std::string face =
+        face_difference(got.faces, expected.faces, std::move(new_faces));
+    if (!face.empty() || got.borders == expected.borders) return face;
+    return fmt::format("the borders are {}, expected {}",
+                       show_loops(got.borders), show_loops(expected.borders));
 }
 
 std::pair<int, int> ends(const HalfEdgeTable& he, int i) {

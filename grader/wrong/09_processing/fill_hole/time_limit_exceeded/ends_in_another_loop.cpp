@@ -1,4 +1,4 @@
-// Ends the walk when it comes to the start of the mesh's first border half-edge, whichever loop it is in.
+// Ends the walk at the first border half-edge, whichever loop it is in.
 #include "exercises/09_processing/fill_hole.h"
 
 #include <algorithm>

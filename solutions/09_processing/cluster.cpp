@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 #include <set>
+#include <string>
 #include <vector>
 
 namespace {
@@ -79,7 +80,8 @@ IndexedMesh without_unused(const IndexedMesh& mesh) {
 
 IndexedMesh cluster(const IndexedMesh& mesh, double cell) {
     if (!(cell > 0) || std::isinf(cell))
-        throw std::invalid_argument("cell: it must be above 0 and finite");
+        throw std::invalid_argument("cell: it is " + std::to_string(cell) +
+                                    ", expected a finite number above 0");
 
     Clusters found = clusters(mesh.positions, cell);
     IndexedMesh coarse{found.mean, {}, {}};

@@ -1,5 +1,7 @@
 #include "exercises/09_processing/smooth.h"
 
+#include <string>
+
 namespace {
 
 std::size_t at(int i) {
@@ -41,7 +43,9 @@ std::vector<Vec3> step(const HalfEdgeTable& he, const std::vector<Vec3>& before,
 
 std::vector<Vec3> smooth(const HalfEdgeTable& he,
                          std::span<const Vec3> positions, int steps, double w) {
-    if (steps < 0) throw std::invalid_argument("steps: it must not be < 0");
+    if (steps < 0)
+        throw std::invalid_argument("steps: it is " + std::to_string(steps) +
+                                    ", expected 0 or more");
 
     std::vector<Vec3> now(positions.begin(), positions.end());
     std::vector<bool> fixed = on_border(he, now.size());

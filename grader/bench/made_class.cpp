@@ -64,10 +64,13 @@ public:
     }
 
 private:
-    /// In turn one that the budget of reads ends, and one that the clock must.
+    /// In turn one that the budget of reads ends, where there is a table to
+    /// read, and one that the clock must.
     std::string endless(const Exercise& exercise) {
         by_clock_ = !by_clock_;
-        return looping(exercise, by_clock_
+        const bool has_table = reference_of(exercise).find(
+                                   "HalfEdgeTable& he") != std::string::npos;
+        return looping(exercise, by_clock_ || !has_table
                                      ? "for (;;) {}"
                                      : "for (;;) static_cast<void>(he[0]);");
     }

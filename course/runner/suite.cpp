@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <numeric>
+#include <stdexcept>
 #include <utility>
 
 #include "course/halfedge/build.h"
@@ -156,6 +157,8 @@ AskAhead::~AskAhead() {
 }
 
 Fixture renumbered(const Fixture& fixture, std::uint64_t salt) {
+    if (fixture.he.empty() && !fixture.mesh.faces.empty())
+        throw std::logic_error(fixture.name + " has no table to renumber");
     Renumbering map = renumber_all(fixture.he, seed() * 1000 + salt);
     Fixture result{fixture.name + " (renumbered)", fixture.mesh,
                    std::move(map.he)};

@@ -48,7 +48,7 @@ private:
 };
 
 /// The same mesh with half-edges, faces and vertices numbered anew, from the
-/// seed of the run and `salt`.
+/// seed of the run and `salt`. Throws std::logic_error where it has no table.
 Fixture renumbered(const Fixture& fixture, std::uint64_t salt = 0);
 
 /// Every fixture that has a table, and a renumbered copy of each.

@@ -1,0 +1,6 @@
+// The edges that meet at b, one of them reversed: the sign is lost.
+#include "exercises/06_geometry/area_vector.h"
+
+Vec3 area_vector(Vec3 a, Vec3 b, Vec3 c) {
+    return cross(a - b, c - b);
+}

@@ -1,0 +1,8 @@
+// Compares with the product of two sides: the angle at a decides.
+#include "exercises/06_geometry/face_normal.h"
+
+std::optional<Vec3> face_normal(Vec3 a, Vec3 b, Vec3 c) {
+    Vec3 n = area_vector(a, b, c);
+    if (length(n) <= 1e-12 * length(b - a) * length(c - a)) return std::nullopt;
+    return (1 / length(n)) * n;
+}

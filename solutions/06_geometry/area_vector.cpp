@@ -1,0 +1,5 @@
+#include "exercises/06_geometry/area_vector.h"
+
+Vec3 area_vector(Vec3 a, Vec3 b, Vec3 c) {
+    return cross(b - a, c - a);
+}

@@ -1,0 +1,24 @@
+// The area vector of the whole face: right for quads, but not for bent faces
+// with more sides.
+#include "exercises/06_geometry/polygon_normal.h"
+
+Vec3 polygon_normal(const HalfEdgeTable& he, std::span<const Vec3> positions,
+                    int i) {
+    if (he[i].fi == -1) return {};
+
+    auto place = [&](int v) { return positions[static_cast<std::size_t>(v)]; };
+    Vec3 first = place(he[i].vi);
+    Vec3 sum;
+    double size = 0;
+    int start = i;
+    do {
+        int j = he[i].next;
+        Vec3 arriving = place(he[j].vi) - place(he[i].vi);
+        sum = sum + cross(place(he[i].vi) - first, place(he[j].vi) - first);
+        size += dot(arriving, arriving);
+        i = j;
+    } while (i != start);
+
+    if (length(sum) <= 1e-12 * size) return {};
+    return (1 / length(sum)) * sum;
+}

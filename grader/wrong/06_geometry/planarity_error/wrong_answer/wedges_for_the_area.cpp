@@ -1,0 +1,35 @@
+// The sum of the wedges for a normal: right for quads only.
+#include "exercises/06_geometry/planarity_error.h"
+
+#include <algorithm>
+#include <string>
+
+std::optional<double> planarity_error(std::span<const Vec3> corners) {
+    if (corners.size() < 3)
+        throw std::invalid_argument(
+            "a polygon has at least three corners, not " +
+            std::to_string(corners.size()));
+
+    // All relative to the first corner.
+    Vec3 first = corners.front();
+    Vec3 before = corners.back();
+    Vec3 area, sum;
+    double size = 0;
+    for (Vec3 p : corners) {
+        sum = sum + (p - first);
+        size += dot(p - before, p - before);
+        before = p;
+    }
+    std::size_t n = corners.size();
+    for (std::size_t k = 0; k < n; ++k)
+        area = area + area_vector(corners[k], corners[(k + 1) % n],
+                                  corners[(k + 2) % n]);
+    if (length(area) <= 1e-12 * size) return std::nullopt;
+
+    Vec3 normal = (1 / length(area)) * area;
+    Vec3 mean = (1.0 / static_cast<double>(corners.size())) * sum;
+    double farthest = 0;
+    for (Vec3 p : corners)
+        farthest = std::max(farthest, std::abs(dot(normal, p - first - mean)));
+    return farthest;
+}

@@ -28,12 +28,12 @@ double size_of(const Corners& t) {
     return longest * longest;
 }
 
-Corners in_motion(const Corners& t, const hidden::Motion& motion) {
+Corners in_motion(const Corners& t, const normals::Motion& motion) {
     return {motion.point(t[0]), motion.point(t[1]), motion.point(t[2])};
 }
 
 std::vector<Corners> random_triangles(int count, std::uint64_t salt) {
-    const std::vector<Vec3> points = hidden::random_points(3 * count, salt);
+    const std::vector<Vec3> points = normals::random_points(3 * count, salt);
     std::vector<Corners> triangles;
     for (std::size_t k = 0; k + 2 < points.size(); k += 3)
         triangles.push_back({points[k], points[k + 1], points[k + 2]});
@@ -75,13 +75,13 @@ TEST_CASE("anywhere in space", "[points:1]") {
 TEST_CASE("the three shadows of random triangles", "[points:1]") {
     hint("Each coordinate is twice the area of a shadow. Which sign has it?");
     for (const Corners& t : random_triangles(200, 1))
-        CHECK_THAT(asked(t), IsAt(oracle::twice_shadows(t), size_of(t)));
+        CHECK_THAT(asked(t), IsAt(normals::twice_shadows(t), size_of(t)));
 }
 
 TEST_CASE("two corners swapped turn it round", "[points:1]") {
     hint("What should happen to the front when two corners change places?");
     for (const Corners& t : random_triangles(50, 2)) {
-        const Vec3 back = -1.0 * oracle::twice_shadows(t);
+        const Vec3 back = -1.0 * normals::twice_shadows(t);
         CHECK_THAT(area_vector(t[0], t[2], t[1]), IsAt(back, size_of(t)));
         CHECK_THAT(area_vector(t[1], t[0], t[2]), IsAt(back, size_of(t)));
         CHECK_THAT(area_vector(t[2], t[1], t[0]), IsAt(back, size_of(t)));
@@ -90,11 +90,11 @@ TEST_CASE("two corners swapped turn it round", "[points:1]") {
 
 TEST_CASE("turned, and of another size", "[points:1]") {
     hint("A triangle twice as large has four times the area. And yours?");
-    for (const hidden::Motion& motion : hidden::motions())
+    for (const normals::Motion& motion : normals::motions())
         for (const Corners& t : random_triangles(40, 3)) {
             const double s = motion.scale;
             CHECK_THAT(asked(in_motion(t, motion)),
-                       IsAt(s * s * motion.direction(oracle::twice_shadows(t)),
+                       IsAt(s * s * motion.direction(normals::twice_shadows(t)),
                             s * s * size_of(t)));
         }
 }
@@ -109,7 +109,7 @@ TEST_CASE("no area at all", "[points:1]") {
         {{{0, 0, 0}, {2, 4, 6}, {1, 2, 3}}},
         {{{-1, 5, 2}, {1, 2, 3}, {5, -4, 5}}},
         {{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}}};
-    for (const hidden::Motion& motion : hidden::motions())
+    for (const normals::Motion& motion : normals::motions())
         for (const Corners& t : degenerate) {
             const double s = motion.scale;
             CHECK_THAT(asked(in_motion(t, motion)), IsAt({}, 100 * s * s));
@@ -121,6 +121,6 @@ TEST_CASE("far from the origin", "[points:1]") {
         "Which numbers grow with the distance from the origin, and which "
         "digits of them are lost?");
     for (const Corners& t : random_triangles(100, 4))
-        CHECK_THAT(asked(in_motion(t, hidden::far_away())),
-                   IsAt(oracle::twice_shadows(t), size_of(t)));
+        CHECK_THAT(asked(in_motion(t, normals::far_away())),
+                   IsAt(normals::twice_shadows(t), size_of(t)));
 }

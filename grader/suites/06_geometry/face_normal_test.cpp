@@ -48,7 +48,7 @@ Corners scaled(double s, const Corners& t) {
     return {s * t[0], s * t[1], s * t[2]};
 }
 
-Corners in_motion(const Corners& t, const hidden::Motion& motion) {
+Corners in_motion(const Corners& t, const normals::Motion& motion) {
     return {motion.point(t[0]), motion.point(t[1]), motion.point(t[2])};
 }
 
@@ -61,11 +61,11 @@ std::vector<Corners> needles(double ratio) {
 }
 
 std::vector<Corners> random_triangles(int count, std::uint64_t salt) {
-    const std::vector<Vec3> points = hidden::random_points(3 * count, salt);
+    const std::vector<Vec3> points = normals::random_points(3 * count, salt);
     std::vector<Corners> triangles;
     for (std::size_t k = 0; k + 2 < points.size(); k += 3)
         if (const Corners t{points[k], points[k + 1], points[k + 2]};
-            length(oracle::twice_shadows(t)) > 1e-3)
+            length(normals::twice_shadows(t)) > 1e-3)
             triangles.push_back(t);
     return triangles;
 }
@@ -85,12 +85,12 @@ TEST_CASE("triangles in all directions", "[points:1]") {
 TEST_CASE("the faces of meshes", "[points:1]") {
     hint("On a closed mesh that is well oriented, where do the normals point?");
     for (const Fixture& fixture :
-         {hidden::box({1, 1, 1}), hidden::box({1, 2, 3}), zoo::tetra(),
+         {normals::box({1, 1, 1}), normals::box({1, 2, 3}), zoo::tetra(),
           zoo::torus7(), renumbered(zoo::torus7()), zoo::fan6()}) {
         const OnMesh on(fixture);
         for (int f = 0; f < fixture.mesh.faces.size(); ++f) {
-            const auto t = oracle::corners_of(fixture.mesh, f);
-            check_normal({t[0], t[1], t[2]}, oracle::twice_shadows(t));
+            const auto t = normals::corners_of(fixture.mesh, f);
+            check_normal({t[0], t[1], t[2]}, normals::twice_shadows(t));
         }
     }
 }
@@ -98,12 +98,12 @@ TEST_CASE("the faces of meshes", "[points:1]") {
 TEST_CASE("random triangles, turned and of any size", "[points:1]") {
     hint("Does the normal of a larger triangle come out longer?");
     for (const Corners& t : random_triangles(60, 1))
-        for (const hidden::Motion& motion : hidden::motions())
+        for (const normals::Motion& motion : normals::motions())
             check_normal(in_motion(t, motion),
-                         motion.direction(oracle::twice_shadows(t)));
+                         motion.direction(normals::twice_shadows(t)));
     for (const Corners& t : random_triangles(60, 2))
-        check_normal(in_motion(t, hidden::far_away()),
-                     oracle::twice_shadows(t));
+        check_normal(in_motion(t, normals::far_away()),
+                     normals::twice_shadows(t));
 }
 
 TEST_CASE("very small and very large", "[points:1]") {
@@ -122,7 +122,7 @@ TEST_CASE("corners that coincide", "[points:1]") {
     check_none_in_any_order({p, p, q});
     check_none_in_any_order({p, p, p});
     check_none_in_any_order({Vec3{}, Vec3{}, Vec3{}});
-    for (const hidden::Motion& motion : hidden::motions()) {
+    for (const normals::Motion& motion : normals::motions()) {
         check_none_in_any_order(in_motion({p, p, q}, motion));
         check_none(in_motion({p, p, p}, motion));
     }
@@ -132,7 +132,7 @@ TEST_CASE("corners on a line, up to rounding", "[points:1]") {
     hint(
         "Is twice the area exactly zero here? What does the contract compare "
         "it with?");
-    for (const Vec3 from : hidden::random_points(40, 3)) {
+    for (const Vec3 from : normals::random_points(40, 3)) {
         const Vec3 along{0.3 + from.y, 0.7 * from.z - 0.1, 1.1};
         for (const double s : {1e-6, 1.0, 1e6}) {
             check_none_in_any_order(

@@ -6,7 +6,7 @@
 #include "course/runner/suite.h"
 #include "grader/suites/meshes.h"
 
-namespace course::hidden {
+namespace course::normals {
 
 namespace {
 
@@ -92,14 +92,14 @@ std::vector<Fixture> triangle_meshes() {
                                 zoo::bow_tie_crossed(),
                                 zoo::bow_tie_separate(),
                                 zoo::pillow(),
-                                pinwheel_in_turn(),
-                                pinwheel_across(),
-                                pinwheel_split(),
-                                bipyramid(),
-                                bridge(),
-                                loose_pair(),
-                                loose_chain(),
-                                gaps()};
+                                hidden::pinwheel_in_turn(),
+                                hidden::pinwheel_across(),
+                                hidden::pinwheel_split(),
+                                hidden::bipyramid(),
+                                hidden::bridge(),
+                                hidden::loose_pair(),
+                                hidden::loose_chain(),
+                                hidden::gaps()};
     std::erase_if(all, [](const Fixture& fixture) {
         for (const auto face : fixture.mesh.faces)
             if (face.size() != 3) return true;
@@ -107,8 +107,9 @@ std::vector<Fixture> triangle_meshes() {
     });
     for (const Fixture& fixture :
          {zoo::slide(), zoo::cube(), zoo::house(), zoo::annulus(),
-          zoo::dangling(), prism(), twelve_gon(), two_tori(),
-          open_then_closed(), closed_then_open()})
+          zoo::dangling(), hidden::prism(), hidden::twelve_gon(),
+          hidden::two_tori(), hidden::open_then_closed(),
+          hidden::closed_then_open()})
         all.push_back(cut_to_triangles(fixture));
     return all;
 }
@@ -144,4 +145,4 @@ std::vector<Fixture> in_all_motions(const Fixture& fixture) {
     return all;
 }
 
-}  // namespace course::hidden
+}  // namespace course::normals

@@ -8,7 +8,7 @@
 #include "course/mesh/mat3.h"
 #include "course/mesh/zoo.h"
 
-namespace course::hidden {
+namespace course::normals {
 
 /// Turns, then scales, then moves. A turn keeps left and right apart.
 struct Motion {
@@ -59,4 +59,4 @@ Fixture flat_tetra();
 /// The fixture as it is in each of `motions()`.
 std::vector<Fixture> in_all_motions(const Fixture& fixture);
 
-}  // namespace course::hidden
+}  // namespace course::normals

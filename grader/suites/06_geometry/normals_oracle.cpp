@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace course::oracle {
+namespace course::normals {
 
 namespace {
 
@@ -100,4 +100,4 @@ double volume_below(const IndexedMesh& mesh) {
     return static_cast<double>(volume);
 }
 
-}  // namespace course::oracle
+}  // namespace course::normals

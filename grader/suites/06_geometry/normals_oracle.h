@@ -7,7 +7,7 @@
 
 #include "course/mesh/indexed_mesh.h"
 
-namespace course::oracle {
+namespace course::normals {
 
 /// The corners of face f, in the order of the face list.
 std::vector<Vec3> corners_of(const IndexedMesh& mesh, int f);
@@ -30,4 +30,4 @@ double angle_at(Vec3 at, Vec3 p, Vec3 q);
 /// their mean height.
 double volume_below(const IndexedMesh& mesh);
 
-}  // namespace course::oracle
+}  // namespace course::normals

@@ -18,7 +18,7 @@ namespace {
 using Polygon = std::vector<Vec3>;
 
 double size_of(const Polygon& corners) {
-    return std::sqrt(oracle::squared_sides(corners));
+    return std::sqrt(normals::squared_sides(corners));
 }
 
 void check_error(const Polygon& corners, double expected) {
@@ -37,8 +37,8 @@ void check_all_orders(Polygon corners, double expected) {
 }
 
 void check_in_all_motions(const Polygon& corners, double expected) {
-    for (const hidden::Motion& motion : hidden::motions())
-        check_error(hidden::moved(corners, motion), motion.scale * expected);
+    for (const normals::Motion& motion : normals::motions())
+        check_error(normals::moved(corners, motion), motion.scale * expected);
 }
 
 void check_none(Polygon corners) {
@@ -49,8 +49,8 @@ void check_none(Polygon corners) {
 }
 
 void check_none_in_all_motions(const Polygon& corners) {
-    for (const hidden::Motion& motion : hidden::motions())
-        check_none(hidden::moved(corners, motion));
+    for (const normals::Motion& motion : normals::motions())
+        check_none(normals::moved(corners, motion));
 }
 
 /// Half the distance of the lines through the diagonals.
@@ -60,7 +60,7 @@ double of_diagonals(const Polygon& quad) {
 }
 
 double of_polygon(const Polygon& corners) {
-    const Vec3 n = oracle::twice_shadows(corners);
+    const Vec3 n = normals::twice_shadows(corners);
     std::vector<double> heights;
     double mean = 0;
     for (const Vec3 p : corners) {
@@ -76,10 +76,10 @@ double of_polygon(const Polygon& corners) {
 std::vector<Polygon> random_polygons_of(int n, int count, std::uint64_t salt) {
     std::vector<Polygon> all;
     for (int k = 0; k < count; ++k) {
-        const Polygon corners = hidden::random_points(
+        const Polygon corners = normals::random_points(
             n, salt * 1000 + static_cast<std::uint64_t>(k));
-        if (length(oracle::twice_shadows(corners)) >
-            0.01 * oracle::squared_sides(corners))
+        if (length(normals::twice_shadows(corners)) >
+            0.01 * normals::squared_sides(corners))
             all.push_back(corners);
     }
     return all;
@@ -157,7 +157,7 @@ TEST_CASE("far from the origin", "[points:1]") {
     hint("Which sums in your program get huge there?");
     for (const int n : {3, 4, 5, 8})
         for (const Polygon& corners : random_polygons_of(n, 20, 30))
-            check_error(hidden::moved(corners, hidden::far_away()),
+            check_error(normals::moved(corners, normals::far_away()),
                         of_polygon(corners));
 }
 

@@ -35,7 +35,7 @@ void check_volume(const Fixture& fixture, double expected) {
 }
 
 void check_measured(const Fixture& fixture) {
-    check_volume(fixture, oracle::volume_below(fixture.mesh));
+    check_volume(fixture, normals::volume_below(fixture.mesh));
 }
 
 Fixture inside_out(Fixture fixture) {
@@ -138,8 +138,8 @@ TEST_CASE("boxes and pyramids", "[points:1]") {
             const Fixture box = stretched(zoo::cube(), size, shift);
             check_volume(box, volume);
             check_volume(renumbered(box, 1), volume);
-            check_volume(hidden::cut_to_triangles(box), volume);
-            check_volume(stretched(hidden::box({1, 1, 1}), size, shift),
+            check_volume(normals::cut_to_triangles(box), volume);
+            check_volume(stretched(normals::box({1, 1, 1}), size, shift),
                          volume);
             check_volume(stretched(zoo::house(), size, shift), 1.25 * volume);
             check_volume(stretched(zoo::tetra(), size, shift),
@@ -152,7 +152,7 @@ TEST_CASE("inside out is negative", "[points:1]") {
     check_volume(inside_out(zoo::cube()), -1);
     check_volume(inside_out(zoo::tetra()), 8 / 3.0);
     for (const Fixture& fixture : closed_meshes()) {
-        const double volume = oracle::volume_below(fixture.mesh);
+        const double volume = normals::volume_below(fixture.mesh);
         check_volume(fixture, volume);
         check_volume(inside_out(fixture), -volume);
     }
@@ -165,7 +165,7 @@ TEST_CASE("faces with many corners", "[points:1]") {
             check_volume(comb(teeth, first), 2.0 * (teeth * 3 + teeth * 2));
     for (std::uint64_t k = 0; k < 12; ++k)
         for (const Fixture& fixture : {hidden::prism(), zoo::cube()})
-            check_measured(hidden::at_random_points(fixture, 20 + k));
+            check_measured(normals::at_random_points(fixture, 20 + k));
 }
 
 TEST_CASE("several parts, and a hollow", "[points:1]") {
@@ -188,18 +188,18 @@ TEST_CASE("closed meshes with their vertices anywhere", "[points:1]") {
         for (int k = 0; k < 4; ++k) {
             ++salt;
             check_measured(
-                hidden::at_random_points(renumbered(fixture, salt), salt));
+                normals::at_random_points(renumbered(fixture, salt), salt));
         }
     for (const Fixture& fixture : random_closed())
-        check_measured(hidden::at_random_points(fixture, ++salt));
+        check_measured(normals::at_random_points(fixture, ++salt));
 }
 
 TEST_CASE("turned, moved, small and large", "[points:1]") {
     hint("Twice as long, wide and high is how much more volume?");
     for (const Fixture& fixture : closed_meshes()) {
-        const double volume = oracle::volume_below(fixture.mesh);
-        for (const hidden::Motion& motion : hidden::motions())
-            check_volume(hidden::moved(fixture, motion),
+        const double volume = normals::volume_below(fixture.mesh);
+        for (const normals::Motion& motion : normals::motions())
+            check_volume(normals::moved(fixture, motion),
                          volume * motion.scale * motion.scale * motion.scale);
     }
 }
@@ -208,12 +208,12 @@ TEST_CASE("far from the origin", "[points:1]") {
     hint(
         "Which numbers grow with the distance, and what is lost when they "
         "cancel out?");
-    check_volume(hidden::moved(zoo::cube(), hidden::far_away()), 1);
+    check_volume(normals::moved(zoo::cube(), normals::far_away()), 1);
     for (std::uint64_t k = 0; k < 10; ++k) {
-        const Fixture fixture = hidden::at_random_points(
+        const Fixture fixture = normals::at_random_points(
             k % 2 == 0 ? zoo::house() : zoo::torus7(), 200 + k);
-        check_volume(hidden::moved(fixture, hidden::far_away()),
-                     oracle::volume_below(fixture.mesh));
+        check_volume(normals::moved(fixture, normals::far_away()),
+                     normals::volume_below(fixture.mesh));
     }
 }
 
@@ -223,8 +223,8 @@ TEST_CASE("vertices that no face uses", "[points:1]") {
     check_volume({"empty mesh", {}, {}}, 0);
     const Fixture stray{"stray vertex", {{{3e8, -7e8, 5e8}}, {}, {}}, {}};
     for (std::uint64_t k = 0; k < 6; ++k) {
-        const Fixture house = hidden::at_random_points(zoo::house(), 300 + k);
-        const double volume = oracle::volume_below(house.mesh);
+        const Fixture house = normals::at_random_points(zoo::house(), 300 + k);
+        const double volume = normals::volume_below(house.mesh);
         check_volume(joined(house, stray), volume);
         check_volume(joined(stray, house), volume);
         Fixture loose = joined(joined(stray, house), stray);

@@ -50,14 +50,14 @@ void check_transformed(const Mat3& m, Vec3 n) {
 }
 
 std::vector<Vec3> random_normals(int count, std::uint64_t salt) {
-    std::vector<Vec3> normals = hidden::random_points(count, salt);
+    std::vector<Vec3> normals = normals::random_points(count, salt);
     std::erase_if(normals, [](Vec3 n) { return length(n) < 0.1; });
     return normals;
 }
 
 /// Far from singular; about half of them mirror.
 std::vector<Mat3> random_matrices(int count, std::uint64_t salt) {
-    const std::vector<Vec3> rows = hidden::random_points(3 * count, salt);
+    const std::vector<Vec3> rows = normals::random_points(3 * count, salt);
     std::vector<Mat3> matrices;
     for (std::size_t k = 0; k + 2 < rows.size(); k += 3)
         if (const Mat3 m{{rows[k], rows[k + 1], rows[k + 2]}};
@@ -77,7 +77,7 @@ TEST_CASE("turns", "[points:1]") {
     hint("What is the inverse of a turn, and what its transpose?");
     for (const Vec3 n : random_normals(20, 1)) {
         CHECK_THAT(transform_normal(identity, n), IsDirection(n));
-        for (const hidden::Motion& motion : hidden::motions())
+        for (const normals::Motion& motion : normals::motions())
             CHECK_THAT(transform_normal(motion.turn, n),
                        IsDirection(motion.direction(n)));
     }
@@ -205,7 +205,7 @@ TEST_CASE("singular matrices are refused", "[points:1]") {
             scaled(s, {{{{0.1, 0.2, 0.3}, {0.4, 0.5, 0.6}, {0.7, 0.8, 0.9}}}}));
         check_singular(scaled(s, {{{{1, 0, 0}, {1, 1e-13, 0}, {0, 0, 1}}}}));
         check_singular(scaled(s, {{{{1, 0, 0}, {1, -1e-14, 0}, {0, 0, 1}}}}));
-        const std::vector<Vec3> rows = hidden::random_points(30, 9);
+        const std::vector<Vec3> rows = normals::random_points(30, 9);
         for (std::size_t k = 0; k + 1 < rows.size(); k += 2)
             check_singular(scaled(
                 s,

@@ -28,9 +28,10 @@ Vec3 gathered(const IndexedMesh& mesh, int v) {
         const auto face = mesh.faces[f];
         const auto times = std::count(face.begin(), face.end(), v);
         if (times == 0) continue;
-        const std::vector<Vec3> corners = oracle::corners_of(mesh, f);
-        sum = sum + static_cast<double>(times) * oracle::twice_shadows(corners);
-        size += static_cast<double>(times) * oracle::squared_sides(corners);
+        const std::vector<Vec3> corners = normals::corners_of(mesh, f);
+        sum =
+            sum + static_cast<double>(times) * normals::twice_shadows(corners);
+        size += static_cast<double>(times) * normals::squared_sides(corners);
     }
     return length(sum) <= 1e-12 * size ? Vec3{} : sum;
 }
@@ -49,7 +50,7 @@ void check_mesh(const Fixture& fixture) {
 }
 
 void check_at_random_points(const Fixture& fixture, std::uint64_t salt) {
-    check_mesh(hidden::at_random_points(fixture, salt));
+    check_mesh(normals::at_random_points(fixture, salt));
 }
 
 /// Those of the zoo that have no half-edge table.
@@ -62,7 +63,7 @@ std::vector<Fixture> without_table() {
 Fixture faces_at_random(std::uint64_t salt) {
     std::mt19937_64 random(seed() * 1000 + salt);
     IndexedMesh mesh;
-    mesh.positions = hidden::random_points(40, salt);
+    mesh.positions = normals::random_points(40, salt);
     for (int f = 0; f < 30; ++f) {
         std::vector<int> face;
         for (std::uint64_t n = 3 + random() % 7; n > 0; --n) {
@@ -95,14 +96,14 @@ TEST_CASE("boxes, corner by corner", "[points:1]") {
         }
         const OnMesh on(box);
         CHECK_THAT(vertex_normals(box.mesh), AreDirections(expected));
-        check_mesh(hidden::box(size));
+        check_mesh(normals::box(size));
     }
 }
 
 TEST_CASE("meshes of triangles", "[points:1]") {
     hint("Do all three corners of a face get its area vector?");
     std::uint64_t salt = 0;
-    for (const Fixture& fixture : hidden::triangle_meshes())
+    for (const Fixture& fixture : normals::triangle_meshes())
         check_at_random_points(fixture, ++salt);
     check_mesh({"icosphere", icosphere(2), {}});
     check_mesh({"torus", torus(12, 7, Cells::triangles), {}});
@@ -143,7 +144,7 @@ TEST_CASE("faces that are not convex", "[points:1]") {
     CHECK_THAT(vertex_normals(fixture.mesh),
                AreDirections({up + front, up + front, up, up, up, up, front,
                               front, front, front}));
-    for (const Fixture& copy : hidden::in_all_motions(fixture))
+    for (const Fixture& copy : normals::in_all_motions(fixture))
         check_mesh(copy);
 }
 
@@ -162,11 +163,12 @@ TEST_CASE("lists of faces that no table could hold", "[points:1]") {
 TEST_CASE("vertices that no face uses", "[points:1]") {
     hint("How many vectors are there in the result, and in which order?");
     check_mesh({"empty mesh", {}, {}});
-    check_mesh({"points only", {hidden::random_points(5, 401), {}, {}}, {}});
+    check_mesh({"points only", {normals::random_points(5, 401), {}, {}}, {}});
     for (const Fixture& fixture : {zoo::slide(), zoo::torus7()}) {
-        Fixture sparse = hidden::at_random_points(fixture, 402);
+        Fixture sparse = normals::at_random_points(fixture, 402);
         std::vector<Vec3>& p = sparse.mesh.positions;
-        for (const Vec3 more : hidden::random_points(4, 403)) p.push_back(more);
+        for (const Vec3 more : normals::random_points(4, 403))
+            p.push_back(more);
         check_mesh(sparse);
         // The same with all vertices numbered from the other end.
         std::reverse(p.begin(), p.end());
@@ -187,8 +189,8 @@ TEST_CASE("sums that mean nothing", "[points:1]") {
     hint(
         "How long is the sum where normals cancel out, and what do you "
         "compare it with?");
-    for (const Fixture& fixture : {zoo::pillow(), hidden::flat_tetra()})
-        for (const Fixture& copy : hidden::in_all_motions(fixture))
+    for (const Fixture& fixture : {zoo::pillow(), normals::flat_tetra()})
+        for (const Fixture& copy : normals::in_all_motions(fixture))
             check_mesh(copy);
     check_at_random_points(zoo::pillow(), 501);
     const Vec3 along{0.3, 0.7, 1.1};
@@ -198,8 +200,17 @@ TEST_CASE("sums that mean nothing", "[points:1]") {
          {{0, 1, 2}, {3, 2, 1, 0}, {0, 3, 4}},
          {}},
         {}};
-    for (const Fixture& copy : hidden::in_all_motions(on_a_line))
+    for (const Fixture& copy : normals::in_all_motions(on_a_line))
         check_mesh(copy);
+    // Twice the area is 2 w, the squares of the sides are 2 in all.
+    for (const double w : {2e-12, 1.4e-12, 0.7e-12, 1e-14}) {
+        const Fixture strip{
+            "strip", {{{}, {1, 0}, {1, w}, {0, w}}, {{0, 1, 2, 3}}, {}}, {}};
+        check_mesh(strip);
+    }
+    Fixture squashed = normals::at_random_points(zoo::tetra(), 502);
+    for (Vec3& p : squashed.mesh.positions) p.z *= 1e-5;
+    check_mesh(squashed);
     Fixture point = zoo::cube();
     for (Vec3& p : point.mesh.positions) p = along;
     check_mesh(point);
@@ -208,12 +219,12 @@ TEST_CASE("sums that mean nothing", "[points:1]") {
 TEST_CASE("turned, moved, small and large", "[points:1]") {
     hint("Do the unit of length or the place of the mesh change a normal?");
     for (const Fixture& fixture :
-         {hidden::at_random_points(zoo::torus7(), 601),
-          hidden::at_random_points(zoo::slide(), 602),
-          hidden::at_random_points(zoo::house(), 603)}) {
-        for (const Fixture& copy : hidden::in_all_motions(fixture))
+         {normals::at_random_points(zoo::torus7(), 601),
+          normals::at_random_points(zoo::slide(), 602),
+          normals::at_random_points(zoo::house(), 603)}) {
+        for (const Fixture& copy : normals::in_all_motions(fixture))
             check_mesh(copy);
-        check_mesh(hidden::moved(fixture, hidden::far_away()));
+        check_mesh(normals::moved(fixture, normals::far_away()));
         for (const double s : {1e-20, 1e-9, 1e9}) {
             Fixture scaled = fixture;
             for (Vec3& p : scaled.mesh.positions) p = s * p;
@@ -228,7 +239,7 @@ TEST_CASE("a mesh of 12800 triangles", "[points:1]") {
     for (Vec3& p : mesh.positions) p = bulge(p);
     std::vector<Vec3> expected(mesh.positions.size());
     for (int f = 0; f < mesh.faces.size(); ++f) {
-        const Vec3 area = oracle::twice_shadows(oracle::corners_of(mesh, f));
+        const Vec3 area = normals::twice_shadows(normals::corners_of(mesh, f));
         for (const int v : mesh.faces[f])
             expected[at(v)] = expected[at(v)] + area;
     }

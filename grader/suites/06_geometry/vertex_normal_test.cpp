@@ -151,6 +151,14 @@ Fixture flat_needles(Vec3 middle, Vec3 u, Vec3 w) {
     return triangles("flat needles", mesh);
 }
 
+/// Two triangles back to back, but for `gap`: their unit normals are (0, 0, 1)
+/// and (gap, 0, -1), up to the square of the gap, and all else is the same.
+Fixture almost_closed_book(double gap) {
+    return triangles("book", {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 0, gap}},
+                              {{0, 1, 2}, {0, 2, 3}},
+                              {}});
+}
+
 }  // namespace
 
 TEST_CASE("corners of boxes: uniform", "[points:1]") {
@@ -276,10 +284,23 @@ TEST_CASE("vertices without a normal", "[points:1]") {
     for (const Fixture& fixture :
          normals::in_all_motions(normals::flat_tetra()))
         check_mesh(fixture);
-    // Almost: the faces cancel out but for a hundred thousandth.
+}
+
+TEST_CASE("normals that almost cancel out", "[points:1]") {
+    hint(
+        "With what is the length of the sum compared: with the sum of all "
+        "weights?");
     Fixture squashed = normals::flat_tetra();
     squashed.mesh.positions[3] = squashed.mesh.positions[3] + Vec3{0, 0, 1e-5};
     check_mesh(squashed);
+    for (const double gap : {1e-13, 1.4e-12, 3e-12, 1e-11}) {
+        const Fixture book = almost_closed_book(gap);
+        const OnMesh on(book);
+        const int i = hidden::half_edge(book, 0, 1);
+        for (const Weight weight : weights)
+            CHECK_THAT(vertex_normal(book.he, book.mesh.positions, i, weight),
+                       IsDirection({gap > 2e-12 ? 1.0 : 0.0, 0, 0}));
+    }
 }
 
 TEST_CASE("no more reads than the edges of the vertex need", "[points:1]") {

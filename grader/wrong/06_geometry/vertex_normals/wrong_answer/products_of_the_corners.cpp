@@ -1,4 +1,4 @@
-// Right in exact numbers: the products of positions lose all digits far from the
+// Right in exact numbers: products of positions lose all digits far from the
 // origin.
 #include "exercises/06_geometry/vertex_normals.h"
 

@@ -208,6 +208,13 @@ TEST_CASE("sums that mean nothing", "[points:1]") {
             "strip", {{{}, {1, 0}, {1, w}, {0, w}}, {{0, 1, 2, 3}}, {}}, {}};
         check_mesh(strip);
     }
+    // The second face has sides but no area: at 0 and 1 it makes the
+    // difference.
+    check_mesh({"strip and fold",
+                {{{}, {1, 0}, {1, 1.5e-12}, {0, 1.5e-12}, {1, 0}, {}},
+                 {{0, 1, 2, 3}, {1, 0, 5, 4}},
+                 {}},
+                {}});
     Fixture squashed = normals::at_random_points(zoo::tetra(), 502);
     for (Vec3& p : squashed.mesh.positions) p.z *= 1e-5;
     check_mesh(squashed);

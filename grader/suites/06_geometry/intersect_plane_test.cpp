@@ -116,6 +116,9 @@ TEST_CASE("nearly parallel is not parallel", "[points:2]") {
     const Plane plane{{0, 0, 0}, {0, 0, 1}};
     check_meets({{{0, 0, 1}, {1, 0, -0x1p-30}}, plane}, Extent::ray, 0x1p30);
     check_meets({{{0, 0, 1}, {0, 1, 0x1p-36}}, plane}, Extent::line, -0x1p36);
+    check_meets({{{0, 0, 1}, {0, 1, 0x1p-39}}, plane}, Extent::line, -0x1p39);
+    for (const double z : {0x1p-41, -0x1p-41, 1e-13, 0.0})
+        CHECK_FALSE(intersect_plane({{0, 0, 1}, {0, 1, z}}, plane).has_value());
     // Short directions and normals, at a right angle to the plane.
     for (const double small : {1e-5, 1e-7, 1e-9})
         for (const double normal : {1e-9, 1e-6, 1e6})

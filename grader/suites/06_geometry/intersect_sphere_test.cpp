@@ -132,8 +132,14 @@ TEST_CASE("lines that touch, or nearly do", "[points:3]") {
                      {Extent::line, Extent::ray, Extent::segment})
                     check_passing(passing, extent);
     // Within the tolerance on either side.
-    for (const double y : {1 + 5e-10, 1 - 5e-10, 1 + 1e-12, 1 - 1e-12})
-        check_parameters({{-3, y, 0}, {2, 0, 0}}, {{0, 0, 0}, 1}, {1.5}, 3);
+    for (const double at : {1 + 5e-10, 1 - 5e-10, 1 + 1e-12, 1 - 1e-12})
+        check_parameters({{-3, at, 0}, {2, 0, 0}}, {{0, 0, 0}, 1}, {1.5}, 3);
+    // Just beyond it.
+    const double y = 1 - 2e-9;
+    const double half = std::sqrt((1 - y) * (1 + y)) / 2;
+    check_parameters({{-3, y, 0}, {2, 0, 0}}, {{0, 0, 0}, 1},
+                     {1.5 - half, 1.5 + half}, 3);
+    check_parameters({{-3, 1 + 2e-9, 0}, {2, 0, 0}}, {{0, 0, 0}, 1}, {}, 3);
     for (const double r : {1e-3, 1e4})
         check_parameters({{-3 * r, r + 5e-10 * r, 0}, {2 * r, 0, 0}},
                          {{0, 0, 0}, r}, {1.5}, 3);

@@ -29,6 +29,7 @@ void check_orders(Vec3 p, Vec3 q, Vec3 r, Vec3 normal) {
 void check_none(Vec3 p, Vec3 q, Vec3 r) {
     CHECK_FALSE(plane_through(p, q, r).has_value());
     CHECK_FALSE(plane_through(q, r, p).has_value());
+    CHECK_FALSE(plane_through(r, p, q).has_value());
     CHECK_FALSE(plane_through(r, q, p).has_value());
 }
 
@@ -101,8 +102,16 @@ TEST_CASE("points on a line, in any direction and order", "[points:2]") {
 
 TEST_CASE("the longest side decides what is thin", "[points:1]") {
     hint("Which of the three sides is the longest, in each order of points?");
-    // Sides 1e-3, 1e-3 and 2e-3; then 1, 1 and one that is tiny.
-    check_none({0, 0, 0}, {1e-3, 1e-16, 0}, {2e-3, 0, 0});
+    // Two sides of length 1 and one of 2: half the limit, and twice as much.
+    for (const double size : {1.0, 0x1p-12, 0x1p20}) {
+        const Vec3 left = size * Vec3{4, 0, 5};
+        const Vec3 right = size * Vec3{6, 0, 5};
+        const Vec3 middle = size * Vec3{5, 1e-12, 5};
+        check_none(left, middle, right);
+        check_none(left, right, middle);
+        const Vec3 higher = size * Vec3{5, 4e-12, 5};
+        check_orders(left, right, higher, {0, 0, 1});
+    }
     check_none({0, 0, 0}, {1, 0, 0}, {1, 1e-13, 0});
     check_orders({0, 0, 0}, {1, 0, 0}, {1, 1e-11, 0}, {0, 0, 1});
 }

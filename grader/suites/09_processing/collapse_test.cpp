@@ -21,8 +21,7 @@ HalfEdgeTable collapsed(const HalfEdgeTable& he, const Content& content,
     const auto [a, b] = editing::ends(he, i);
     INFO("half-edge " << i << ", from vertex " << a << " to " << b);
     HalfEdgeTable got = collapse(he, i);
-    REQUIRE(editing::difference(got, editing::pulled_together(content, a, b)) ==
-            "");
+    REQUIRE_THAT(got, editing::Says(editing::pulled_together(content, a, b)));
     return got;
 }
 

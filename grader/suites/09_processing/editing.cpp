@@ -208,6 +208,10 @@ std::string difference(const HalfEdgeTable& table, const Content& expected,
                        show_loops(got.borders), show_loops(expected.borders));
 }
 
+ContentMatcher Says(Content expected, std::vector<Loop> new_faces) {
+    return {std::move(expected), std::move(new_faces)};
+}
+
 std::pair<int, int> ends(const HalfEdgeTable& he, int i) {
     const HalfEdge& row = he.rows()[at(i)];
     return {row.vi, he.rows()[at(row.opp)].vi};

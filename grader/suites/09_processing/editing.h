@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "course/mesh/zoo.h"
+#include "course/runner/print.h"
 
 namespace course::editing {
 
@@ -39,6 +40,29 @@ std::string difference(const HalfEdgeTable& got, const Content& expected);
 /// are not in `expected`.
 std::string difference(const HalfEdgeTable& got, const Content& expected,
                        std::vector<Loop> new_faces);
+
+/// A table that says this, and has these new faces; what is wrong with another
+/// one stands in the message.
+class ContentMatcher : public CatchMatcherBase<HalfEdgeTable> {
+public:
+    ContentMatcher(Content expected, std::vector<Loop> new_faces)
+        : expected_(std::move(expected)), new_faces_(std::move(new_faces)) {}
+
+    bool match(const HalfEdgeTable& got) const override {
+        why_ = difference(got, expected_, new_faces_);
+        return why_.empty();
+    }
+    std::string describe() const override {
+        return "is a table of what the contract asks for\n" + why_;
+    }
+
+private:
+    Content expected_;
+    std::vector<Loop> new_faces_;
+    mutable std::string why_;
+};
+
+ContentMatcher Says(Content expected, std::vector<Loop> new_faces = {});
 
 /// The first rule that the table breaks, or "".
 std::string broken_rule(const HalfEdgeTable& he);

@@ -61,7 +61,7 @@ HalfEdgeTable filled(const HalfEdgeTable& he, int border, int m) {
     for (std::size_t k = 0; k < loop.size(); ++k)
         triangles.push_back({loop[k], loop[(k + 1) % loop.size()], m});
     HalfEdgeTable got = fill_hole(he, border, m);
-    REQUIRE(editing::difference(got, expected, triangles) == "");
+    REQUIRE_THAT(got, editing::Says(expected, triangles));
     return got;
 }
 

@@ -69,7 +69,7 @@ HalfEdgeTable flipped(const HalfEdgeTable& he, const Content& expected, int i) {
     INFO("half-edge " << i << ", from vertex " << a << " to " << b);
     HalfEdgeTable got = flip_edge(he, i);
     REQUIRE(changed_row(got, he, i) == "");
-    REQUIRE(editing::difference(got, expected) == "");
+    REQUIRE_THAT(got, editing::Says(expected));
     const Loop face = expected.faces.at(row(he, i).fi);
     REQUIRE(std::find(face.begin(), face.end(), b) == face.end());
     REQUIRE(editing::ends(got, i).first != a);

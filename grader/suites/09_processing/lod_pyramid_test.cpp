@@ -52,7 +52,7 @@ void check(const Fixture& fixture, int levels) {
     REQUIRE(got.size() == expected.size());
     for (std::size_t k = 0; k < got.size(); ++k) {
         INFO("level " << k);
-        REQUIRE(editing::difference(got[k].he, expected[k]) == "");
+        REQUIRE_THAT(got[k].he, editing::Says(expected[k]));
     }
 }
 

@@ -31,8 +31,8 @@ void check(const Fixture& fixture, const std::vector<int>& counts) {
         INFO("to " << faces << " faces");
         const Content expected =
             decimation::simplified(content, positions, faces);
-        REQUIRE(editing::difference(simplify_at(fixture.he, positions, faces),
-                                    expected) == "");
+        REQUIRE_THAT(simplify_at(fixture.he, positions, faces),
+                     editing::Says(expected));
     }
 }
 

@@ -74,8 +74,7 @@ HalfEdgeTable split(const HalfEdgeTable& he, int i, const Expected& expected,
     INFO("half-edge " << i << ", from vertex " << a << " to " << b
                       << "; new vertex " << m);
     HalfEdgeTable got = split_edge(he, i, m);
-    REQUIRE(editing::difference(got, expected.content, expected.new_faces) ==
-            "");
+    REQUIRE_THAT(got, editing::Says(expected.content, expected.new_faces));
     return got;
 }
 

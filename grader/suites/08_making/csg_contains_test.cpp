@@ -26,17 +26,6 @@ CsgNode operation(CsgKind kind, int left, int right) {
     return {kind, left, right, {}, {}};
 }
 
-/// Points all over a cube; never on a surface of the solids asked about here.
-std::vector<Vec3> points(int n, double from, double step) {
-    std::vector<Vec3> list;
-    for (int x = 0; x < n; ++x)
-        for (int y = 0; y < n; ++y)
-            for (int z = 0; z < n; ++z)
-                list.push_back(
-                    {from + step * x, from + step * y, from + step * z});
-    return list;
-}
-
 /// Asks for each point, and compares with a formula.
 void check(const Nodes& nodes, int root, const std::vector<Vec3>& where,
            const std::function<bool(Vec3)>& expected) {
@@ -67,6 +56,32 @@ public:
     explicit Random(std::uint64_t salt) : next_(seed() * 1000 + salt) {}
     int below(int n) {
         return static_cast<int>(next_() % static_cast<std::uint64_t>(n));
+    }
+    double between(double a, double b) {
+        return a + (b - a) * static_cast<double>(next_() >> 11) / 0x1p53;
+    }
+    /// Points all over a box; hardly ever on a surface.
+    std::vector<Vec3> points(int n, Vec3 low, Vec3 high) {
+        std::vector<Vec3> list;
+        for (int k = 0; k < n; ++k) {
+            const double x = between(low.x, high.x);
+            const double y = between(low.y, high.y);
+            list.push_back({x, y, between(low.z, high.z)});
+        }
+        return list;
+    }
+    /// Points in and round a primitive.
+    std::vector<Vec3> points_near(const CsgNode& node, int n) {
+        const Vec3 margin = {0.7, 0.7, 0.7};
+        const double r = node.size.x;
+        Vec3 low = node.at, high = node.at + node.size;
+        if (node.kind != CsgKind::box) low = low - Vec3{r, r, 0};
+        if (node.kind == CsgKind::cylinder) high.y += r;
+        if (node.kind == CsgKind::ball) {
+            low.z -= r;
+            high = node.at + Vec3{r, r, r};
+        }
+        return points(n, low - margin, high + margin);
     }
     /// Eighths that are no fourths.
     Vec3 point() {
@@ -151,13 +166,14 @@ Solved random_tree(Random& random, int leaves, int asked) {
 
 TEST_CASE("balls, boxes and cylinders", "[points:2]") {
     hint("What do `at` and `size` mean for this kind of primitive?");
-    const auto where = points(8, -1.37, 0.71);
+    Random random(3);
     for (const CsgNode& node :
          {ball({1, 0.5, 2}, 1.6), ball({0, 0, 0}, 0.9), ball({2, 2, 2}, 3),
           box({0, 1, -1}, {2, 1, 3}), box({-1, -1, -1}, {1, 2, 4}),
           cylinder({1, 1, 0}, 1.5, 2), cylinder({0, 2, 1}, 0.8, 3),
           cylinder({2, 1, -1}, 2, 0.9)})
-        check({node}, 0, where, [&](Vec3 p) { return in_primitive(node, p); });
+        check({node}, 0, random.points_near(node, 60),
+              [&](Vec3 p) { return in_primitive(node, p); });
 }
 
 TEST_CASE("points on a surface", "[points:1]") {
@@ -191,7 +207,8 @@ TEST_CASE("points on a surface", "[points:1]") {
 TEST_CASE("one operation on two primitives", "[points:2]") {
     hint("Make a table: in A or not, in B or not, and the answer.");
     const CsgNode a = ball({1, 1, 1}, 1.7), b = box({1, 0, 0}, {2, 2, 2});
-    const auto where = points(7, -0.93, 0.63);
+    Random random(4);
+    const auto where = random.points(50, {-0.9, -0.9, -0.9}, {3.2, 2.9, 2.9});
     using Answer = bool (*)(bool, bool);
     const std::pair<CsgKind, Answer> operations[] = {
         {CsgKind::union_of, [](bool x, bool y) { return x || y; }},
@@ -212,6 +229,7 @@ TEST_CASE("one operation on two primitives", "[points:2]") {
 
 TEST_CASE("operations on operations", "[points:2]") {
     hint("Whom do you ask about a child that is an operation itself?");
+    Random random(5);
     // A plate with a bore, and a knob on it.
     const Nodes nodes = {operation(CsgKind::union_of, 2, 4),
                          box({0, 0, 0}, {4, 4, 1}),
@@ -223,15 +241,16 @@ TEST_CASE("operations on operations", "[points:2]") {
     const auto in = [&](std::size_t k, Vec3 p) {
         return in_primitive(nodes[k], p);
     };
-    check(nodes, 0, points(9, -0.47, 0.59), [&](Vec3 p) {
-        return (in(1, p) && !in(3, p)) || (in(5, p) && in(6, p));
-    });
+    check(nodes, 0, random.points(250, {-0.6, -0.6, -1.2}, {4.4, 4.4, 2.1}),
+          [&](Vec3 p) {
+              return (in(1, p) && !in(3, p)) || (in(5, p) && in(6, p));
+          });
     // A minus (B minus C) is not (A minus B) minus C.
     const Nodes twice = {ball({1, 1, 1}, 2),
                          operation(CsgKind::difference, 3, 4),
                          operation(CsgKind::difference, 0, 1),
                          ball({1, 1, 1}, 1.5), ball({1, 1, 1}, 0.8)};
-    check(twice, 2, points(7, -0.93, 0.63), [&](Vec3 p) {
+    check(twice, 2, random.points(150, {-1, -1, -1}, {3, 3, 3}), [&](Vec3 p) {
         const double far = length(p - Vec3{1, 1, 1});
         return far <= 0.8 || (far > 1.5 && far <= 2);
     });
@@ -253,7 +272,7 @@ TEST_CASE("random trees", "[points:2]") {
     hint("Evaluate this tree by hand, from its leaves upwards.");
     Random random(2);
     for (int n = 1; n <= 30; ++n) {
-        const Solved tree = random_tree(random, n, 20);
+        const Solved tree = random_tree(random, n, 16);
         const auto root = static_cast<std::size_t>(tree.root);
         for (std::size_t k = 0; k < tree.asked.size(); ++k) {
             INFO("the point " << show(tree.asked[k]));

@@ -2,6 +2,7 @@
 // and sums over the corners that the face list gives.
 #include "exercises/06_geometry/polygon_normal.h"
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -22,10 +23,10 @@ std::size_t at(int i) {
     return static_cast<std::size_t>(i);
 }
 
-/// Some of the half-edges, so that large meshes cost no more than small ones.
+/// Some of the half-edges: each call costs its time.
 std::vector<int> asked(const HalfEdgeTable& he) {
-    constexpr int most = 60;
-    const int step = he.size() <= most ? 1 : he.size() / most;
+    constexpr int most = 24;
+    const int step = std::max(1, he.size() / most);
     std::vector<int> some;
     for (int i = 0; i < he.size(); i += step) some.push_back(i);
     return some;
@@ -59,10 +60,11 @@ Fixture polygon(std::string name, std::vector<Vec3> corners) {
     return {std::move(name), std::move(mesh), std::move(he)};
 }
 
-/// The face has this normal from each of its half-edges; the border has none.
-void check_polygon(const Fixture& fixture, Vec3 normal) {
+/// The face has this normal from each of its half-edges, or from every
+/// `step`-th; the border has none.
+void check_polygon(const Fixture& fixture, Vec3 normal, int step = 1) {
     const OnMesh on(fixture);
-    for (int i = 0; i < fixture.he.size(); ++i) {
+    for (int i = 0; i < fixture.he.size(); i += step) {
         const bool has_face = fixture.he.rows()[at(i)].fi == 0;
         CHECK_THAT(polygon_normal(fixture.he, fixture.mesh.positions, i),
                    IsDirection(has_face ? normal : Vec3{}));
@@ -70,10 +72,10 @@ void check_polygon(const Fixture& fixture, Vec3 normal) {
 }
 
 void check_polygon_in_all_motions(const Fixture& fixture, Vec3 normal) {
-    for (const normals::Motion& motion : normals::motions())
-        check_polygon(normals::moved(fixture, motion),
-                      motion.direction(normal));
     check_polygon(renumbered(fixture, 1), normal);
+    for (const normals::Motion& motion : normals::motions())
+        check_polygon(normals::moved(fixture, motion), motion.direction(normal),
+                      3);
 }
 
 std::vector<Vec3> regular(int n) {
@@ -119,7 +121,7 @@ TEST_CASE("the sides of boxes", "[points:1]") {
 
 TEST_CASE("planar polygons of three to twelve sides", "[points:1]") {
     hint("Is every corner counted, and each of them once?");
-    for (int n = 3; n <= 12; ++n)
+    for (const int n : {3, 4, 5, 6, 7, 12})
         check_polygon_in_all_motions(polygon("regular polygon", regular(n)),
                                      {0, 0, 1});
     for (const Fixture& fixture : not_convex())
@@ -144,7 +146,7 @@ TEST_CASE("bent polygons with more sides", "[points:1]") {
     hint(
         "The contract asks for the sum of the wedges, not for another normal "
         "of the polygon.");
-    for (std::uint64_t k = 0; k < 30; ++k) {
+    for (std::uint64_t k = 0; k < 15; ++k) {
         const auto points =
             normals::random_points(5 + static_cast<int>(k % 5), 40 + k);
         check_polygon_in_all_motions(polygon("random polygon", points),
@@ -213,8 +215,6 @@ TEST_CASE("very small, very thin, and far away", "[points:1]") {
 TEST_CASE("every face of every mesh, at random points", "[points:1]") {
     hint("Which half-edge has no face, and which vertices has each other?");
     std::uint64_t salt = 200;
-    for (const Fixture& fixture : hidden::made_by_hand())
-        check_mesh(normals::at_random_points(fixture, ++salt));
     for (const Fixture& fixture : hidden::renumbered_copies())
         check_mesh(normals::at_random_points(fixture, ++salt));
     for (const Fixture& fixture : generated_fixtures())

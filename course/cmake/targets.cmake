@@ -126,7 +126,8 @@ void* __dso_handle = nullptr;
 ")
 endfunction()
 
-# A suite: compiled once, linked into every judge of its exercise.
+# A suite, or the proxy of what it calls: compiled once, linked into every judge
+# of its exercise.
 function(course_suite target source)
     add_library(${target} OBJECT ${source})
     course_options(${target})
@@ -134,11 +135,19 @@ function(course_suite target source)
     target_precompile_headers(${target} REUSE_FROM course_judge)
 endfunction()
 
-# A judge in judges/<kind>/<name>: suites, and what they call.
+# A judge in judges/<kind>/<name>: suites, and what they call. Without
+# COURSE_JUDGES all of it is compiled and nothing linked.
 # course_judge(kind name SOURCES... SUITES... LINK...)
 function(course_judge kind name)
     cmake_parse_arguments(ARG "" "" "SOURCES;SUITES;LINK" ${ARGN})
     set(target judge_${kind}_${name})
+    if(NOT COURSE_JUDGES)
+        if(ARG_SOURCES)
+            add_library(${target} OBJECT ${ARG_SOURCES})
+            course_options(${target})
+        endif()
+        return()
+    endif()
     add_executable(${target} ${ARG_SOURCES})
     course_options(${target})
     foreach(suite ${ARG_SUITES})
@@ -217,15 +226,17 @@ function(course_add_exercise topic name)
     endif()
     set(hidden ${CMAKE_SOURCE_DIR}/grader/suites/${topic}/${name}_test.cpp)
 
+    course_suite(${name}_proxy ${proxy})
     course_suite(${name}_shown
                  ${CMAKE_SOURCE_DIR}/exercises/${topic}/${name}_test.cpp)
-    course_judge(lab ${name} SOURCES ${proxy} SUITES ${name}_shown)
+    course_judge(lab ${name} SUITES ${name}_proxy ${name}_shown)
     if(NOT EXISTS ${hidden})
         return()
     endif()
     course_suite(${name}_hidden ${hidden})
-    course_judge(grade ${name} SOURCES ${proxy}
-                 SUITES ${name}_shown ${name}_hidden LINK course_oracle)
+    course_judge(grade ${name}
+                 SUITES ${name}_proxy ${name}_shown ${name}_hidden
+                 LINK course_oracle)
     course_judge(reference ${name} SOURCES ${reference}
                  SUITES ${name}_shown ${name}_hidden LINK course_oracle)
 endfunction()

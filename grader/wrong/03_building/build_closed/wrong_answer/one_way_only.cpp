@@ -1,0 +1,24 @@
+// Links the second half-edge of an edge to the first, but not back.
+#include "exercises/03_building/build_closed.h"
+
+#include <map>
+#include <utility>
+
+HalfEdgeTable build_closed(const IndexedMesh& mesh) {
+    HalfEdgeTable he;
+    std::map<std::pair<int, int>, int> from_to;
+    for (int f = 0; f < mesh.faces.size(); ++f) {
+        FaceList::Face face = mesh.faces[f];
+        int first = he.size();
+        for (std::size_t k = 0; k < face.size(); ++k) {
+            bool last = k + 1 == face.size();
+            int i = he.size();
+            he.push_back({face[k], f, last ? first : i + 1, -1});
+            int to = last ? face[0] : face[k + 1];
+            from_to[{face[k], to}] = i;
+            auto across = from_to.find({to, face[k]});
+            if (across != from_to.end()) he[i].opp = across->second;
+        }
+    }
+    return he;
+}

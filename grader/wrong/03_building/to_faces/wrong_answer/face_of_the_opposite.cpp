@@ -1,0 +1,23 @@
+// Files the walk under the face across.
+#include "exercises/03_building/to_faces.h"
+
+#include <cstddef>
+
+std::vector<std::vector<int>> to_faces(const HalfEdgeTable& he) {
+    std::vector<std::vector<int>> faces;
+    for (int start = 0; start < he.size(); ++start) {
+        if (he[start].fi == -1) continue;
+        int across = he[he[start].opp].fi;
+        if (across == -1) across = he[start].fi;
+        auto f = static_cast<std::size_t>(across);
+        if (f >= faces.size()) faces.resize(f + 1);
+        if (!faces[f].empty()) continue;
+
+        int i = start;
+        do {
+            faces[f].push_back(he[i].vi);
+            i = he[i].next;
+        } while (i != start);
+    }
+    return faces;
+}

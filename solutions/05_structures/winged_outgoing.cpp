@@ -1,0 +1,17 @@
+#include "exercises/05_structures/winged_outgoing.h"
+
+std::vector<DirectedEdge> winged_outgoing(const WingedMesh& mesh, int v) {
+    std::vector<DirectedEdge> leaving;
+    int start = mesh.vertex[static_cast<std::size_t>(v)];
+    if (start == -1) return leaving;
+
+    int e = start;
+    do {
+        const WingedEdge& edge = mesh.edges[static_cast<std::size_t>(e)];
+        bool forward = edge.from == v;
+        leaving.push_back({e, forward});
+        // The opposite half-edge arrives at v; this is the edge of its next.
+        e = forward ? edge.from_right : edge.to_left;
+    } while (e != start);
+    return leaving;
+}

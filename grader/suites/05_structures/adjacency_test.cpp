@@ -209,7 +209,7 @@ TEST_CASE("renumbered and generated meshes", "[points:1]") {
 
 TEST_CASE("the cost grows hardly faster than the mesh", "[points:1]") {
     hint("How do you find out whether an edge has a number already?");
-    constexpr int n = 60;
+    constexpr int n = 75;
     const IndexedMesh mesh = grid(n, n);
     const Adjacency got = adjacency(mesh);
     CHECK(got.vertices.size() == (n + 1) * (n + 1));

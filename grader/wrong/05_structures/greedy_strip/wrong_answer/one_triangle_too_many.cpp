@@ -1,0 +1,20 @@
+// Notices a triangle that it has after it has appended its vertex.
+#include "exercises/05_structures/greedy_strip.h"
+
+#include <set>
+
+std::vector<int> greedy_strip(const HalfEdgeTable& he, int i) {
+    if (he[i].fi == -1) return {};
+    std::vector<int> strip = {he[i].vi, he[he[i].next].vi};
+    std::set<int> used;
+    bool by_next = true;
+    while (he[i].fi != -1) {
+        int next = he[i].next;
+        int prev = he[next].next;
+        strip.push_back(he[prev].vi);
+        if (!used.insert(he[i].fi).second) break;
+        i = he[by_next ? next : prev].opp;
+        by_next = !by_next;
+    }
+    return strip;
+}

@@ -306,10 +306,11 @@ TEST_CASE("the same face twice", "[points:2]") {
         check_ways(hidden::of_faces("corner left out", 5,
                                     {{0, 1, 2, 3}, {0, 1, 2}, {0, 1, 2, 3, 4}}),
                    salt);
-        check_ways(with_faces(zoo::cube(), {{zoo::cube().mesh.faces[2].begin(),
-                                             zoo::cube().mesh.faces[2].end()},
-                                            {zoo::cube().mesh.faces[5].begin(),
-                                             zoo::cube().mesh.faces[5].end()}}),
+        const Fixture cube = zoo::cube();
+        const FaceList::Face second = cube.mesh.faces[2];
+        const FaceList::Face last = cube.mesh.faces[5];
+        check_ways(with_faces(cube, {{second.begin(), second.end()},
+                                     {last.begin(), last.end()}}),
                    salt);
     }
 }

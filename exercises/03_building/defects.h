@@ -3,29 +3,7 @@
 #include <vector>
 
 #include "course/mesh/indexed_mesh.h"
-
-/// What may be wrong with the faces of a mesh, and which `elements` are named
-/// with it.
-enum class MeshFault {
-    too_few_corners,     ///< {face}: it has less than three corners
-    index_out_of_range,  ///< {face, corner}: no vertex of the mesh stands
-                         ///< there; corners count from 0, each has its own
-                         ///< defect
-    repeated_vertex,  ///< {face, number}: this number, whether it is a vertex
-                      ///< of the mesh or not, stands at two or more of the
-                      ///< corners; one defect for each such number
-    too_many_faces,   ///< {a, b, faces...}: the edge of vertices a < b is a
-                      ///< side of these faces, three or more, ascending
-    wound_alike,      ///< {a, b, f, g}: exactly the faces f < g have the edge
-                      ///< of vertices a < b, and both run along it from a to
-                      ///< b, or both from b to a
-    duplicate_faces,  ///< {faces...}: all the faces, two or more, ascending,
-                      ///< that have the same corners in the same cyclic
-                      ///< order; the other way round is another face
-    several_fans,     ///< {vertex}: the faces at it do not form one fan: from
-                      ///< one of them one cannot come to every other, going
-                      ///< from face to face across edges that end there
-};
+#include "course/mesh/mesh_fault.h"
 
 /// One defect.
 struct MeshDefect {

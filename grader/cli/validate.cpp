@@ -14,6 +14,7 @@ namespace {
 
 struct Options {
     std::vector<std::string> names;
+    int every = 1;
     JudgingOptions judging;
 };
 
@@ -47,6 +48,7 @@ int validate_command(const Options& options) {
     run.jobs = bench.jobs();
     run.seed = options.judging.seed;
     run.repeats = options.judging.repeats;
+    run.every = options.every;
     const bool on_terminal = ::isatty(STDERR_FILENO) == 1;
     const auto validations = validate(
         run, [&](int lane) { return bench.workplace(lane); },
@@ -74,6 +76,11 @@ void add_validate(CLI::App& program, int& code) {
         "Prove the suites: reference, skeleton and stored wrong submissions");
     command->add_option("exercise", options->names,
                         "exercises to validate (default: all)");
+    command
+        ->add_option("--every", options->every,
+                     "of the stored wrong submissions judge every N-th only "
+                     "(default 1: all)")
+        ->check(CLI::PositiveNumber);
     options->judging.add_to(*command);
     command->footer(
         "Exit code: 0 all as it must be, 1 something is not, 2 wrong usage.");

@@ -95,7 +95,18 @@ void look_at_files(Validation& validation) {
                         todo));
 }
 
-std::vector<Trial> trials_of(std::size_t index, Validation& validation) {
+/// Every `every`-th of the trials from `first` on, by turns with the exercise.
+void thin_out(std::vector<Trial>& trials, std::size_t first, int every) {
+    std::size_t kept = first;
+    const auto step = static_cast<std::size_t>(every);
+    for (std::size_t k = first; k < trials.size(); ++k)
+        if ((k - first + trials[k].exercise) % step == 0)
+            trials[kept++] = trials[k];
+    trials.resize(kept);
+}
+
+std::vector<Trial> trials_of(std::size_t index, Validation& validation,
+                             int every) {
     std::vector<Trial> trials;
     const course::Exercise& exercise = validation.exercise;
     look_at_files(validation);
@@ -111,11 +122,13 @@ std::vector<Trial> trials_of(std::size_t index, Validation& validation) {
     trials.push_back({index, Role::skeleton, exercise.skeleton()});
     const std::size_t others = trials.size();
     add_wrong(index, exercise, trials, validation.complaints);
-    validation.wrong = static_cast<int>(trials.size() - others);
-    if (validation.wrong < fewest_wrong)
+    const auto stored = static_cast<int>(trials.size() - others);
+    if (stored < fewest_wrong)
         validation.complaints.push_back(
             fmt::format("{} stored wrong submissions, expected at least {}",
-                        validation.wrong, fewest_wrong));
+                        stored, fewest_wrong));
+    thin_out(trials, others, every);
+    validation.wrong = static_cast<int>(trials.size() - others);
     return trials;
 }
 
@@ -231,7 +244,7 @@ std::vector<Validation> validate(
     std::vector<Trial> trials;
     for (std::size_t k = 0; k < exercises.size(); ++k) {
         validations.push_back({exercises[k]});
-        for (Trial& trial : trials_of(k, validations.back()))
+        for (Trial& trial : trials_of(k, validations.back(), run.every))
             trials.push_back(std::move(trial));
     }
     const int all = static_cast<int>(trials.size());

@@ -31,6 +31,7 @@ struct ValidationRun {
     int jobs = 1;
     std::uint64_t seed = 1;
     int repeats = 2;  ///< as in grading
+    int every = 1;    ///< of the stored wrong submissions: every such one
 };
 
 /// Validates the exercises, several trials at a time. `progress` is called

@@ -81,8 +81,7 @@ std::string difference(const HalfEdgeTable& he, const IndexedMesh& mesh) {
                 : "");
     if (const int f = missing_face(he); f != -1)
         return fmt::format("no half-edge runs along face {}", f);
-    if (const auto why = face_difference(to_faces(he), mesh.faces);
-        !why.empty())
+    if (auto why = face_difference(to_faces(he), mesh.faces); !why.empty())
         return why;
     return loose_difference(loose_edges(he), mesh.loose_edges);
 }

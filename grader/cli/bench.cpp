@@ -67,9 +67,7 @@ Bench::Bench(const JudgingOptions& options)
                 ? options.jobs
                 : std::clamp(
                       static_cast<int>(std::thread::hardware_concurrency()), 1,
-                      64)) {
-    course::end_programs_with_this_process();
-}
+                      64)) {}
 
 std::string Bench::isolation_text() const {
     if (isolation_ == Isolation::none) return std::string(words(isolation_));

@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "course/runner/exercises.h"
+#include "course/runner/process.h"
 #include "grader/cli/commands.h"
 
 int main(int argc, char** argv) {
@@ -24,6 +25,8 @@ int main(int argc, char** argv) {
     grader::add_doctor(program, code);
     grader::add_work(program, code);
     try {
+        // Before the first program is started, also by the build.
+        course::end_programs_with_this_process();
         program.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
         return program.exit(error) == 0 ? 0 : 2;

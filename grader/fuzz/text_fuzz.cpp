@@ -50,10 +50,10 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
                   "what is visible stays as it is");
     fuzz::require(course::shortened(text, 60, 4).size() <= 60 + 64,
                   "shortened text is short");
-    require_no_markup(grader::escape_html(text));
-    require_no_markup(grader::escape_xml(text));
-    require_no_formula(grader::escape_csv(text));
-    require_one_line(grader::escape_terminal(text));
-    fuzz::require(is_plain(grader::escape_json(text)), "JSON is plain");
+    require_no_markup(course::escape_html(text));
+    require_no_markup(course::escape_xml(text));
+    require_no_formula(course::escape_csv(text));
+    require_one_line(course::escape_terminal(text));
+    fuzz::require(is_plain(course::escape_json(text)), "JSON is plain");
     return 0;
 }

@@ -19,7 +19,7 @@ struct Source {
     std::vector<std::string> words;
 };
 
-/// Goes to the next line with something on it; false at the end.
+/// Reads on until a line says something; false when there is none any more.
 bool next_line(Source& in) {
     std::string line;
     while (std::getline(in.text, line)) {

@@ -17,8 +17,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kind_names[] = {"lab", "grade", "reference"};
-
 /// Held as long as it lives. Not by other systems' build tools: who calls them
 /// by hand beside this takes a chance.
 Descriptor build_lock() {
@@ -33,9 +31,8 @@ std::vector<std::string> targets(const std::vector<Exercise>& exercises,
     std::vector<std::string> names;
     for (const Exercise& exercise : exercises) {
         for (const JudgeKind kind : kinds)
-            names.push_back(fmt::format("judge_{}_{}",
-                                        kind_names[static_cast<int>(kind)],
-                                        exercise.name));
+            names.push_back(
+                fmt::format("judge_{}_{}", name(kind), exercise.name));
         if (!exercise.is_data) names.push_back(exercise.name + "_entry_file");
     }
     return names;
@@ -43,8 +40,7 @@ std::vector<std::string> targets(const std::vector<Exercise>& exercises,
 
 bool is_built(const Exercise& exercise, const std::vector<JudgeKind>& kinds) {
     return std::all_of(kinds.begin(), kinds.end(), [&](JudgeKind kind) {
-        return fs::exists(build_root() / "judges" /
-                          kind_names[static_cast<int>(kind)] / exercise.name);
+        return fs::exists(judge_program(exercise, kind));
     });
 }
 

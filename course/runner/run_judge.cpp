@@ -10,13 +10,16 @@
 
 namespace course {
 
-namespace {
-
-std::filesystem::path judge_of(const Exercise& exercise, JudgeKind kind) {
-    const char* kinds[] = {"lab", "grade", "reference"};
-    return build_root() / "judges" / kinds[static_cast<int>(kind)] /
-           exercise.name;
+std::string name(JudgeKind kind) {
+    constexpr const char* names[] = {"lab", "grade", "reference"};
+    return names[static_cast<int>(kind)];
 }
+
+std::filesystem::path judge_program(const Exercise& exercise, JudgeKind kind) {
+    return build_root() / "judges" / name(kind) / exercise.name;
+}
+
+namespace {
 
 std::string how_it_ended(int status) {
     if (WIFEXITED(status))
@@ -51,7 +54,7 @@ void lift_fault(ExerciseResult& result) {
 }
 
 std::vector<std::string> arguments_of(const JudgeRun& run) {
-    std::vector<std::string> list = {judge_of(run.exercise, run.kind)};
+    std::vector<std::string> list = {judge_program(run.exercise, run.kind)};
     for (const std::uint64_t seed : run.seeds)
         list.insert(list.end(), {"--seed", std::to_string(seed)});
     if (!run.submitted.empty())

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "course/runner/descriptors.h"
@@ -17,6 +18,12 @@ namespace course {
 /// Which suites: lab has the shown ones, grade the hidden ones too; reference
 /// is grade with the reference solution linked in.
 enum class JudgeKind { lab, grade, reference };
+
+/// "lab", "grade" or "reference".
+std::string name(JudgeKind kind);
+
+/// Where the build puts the judge of an exercise.
+std::filesystem::path judge_program(const Exercise& exercise, JudgeKind kind);
 
 struct JudgeRun {
     Exercise exercise;

@@ -8,6 +8,7 @@
 #include <future>
 
 #include "course/runner/compile.h"
+#include "course/runner/run_judge.h"
 #include "course/runner/temporary_folder.h"
 #include "grader/bench/made_class.h"
 #include "grader/bench/ways.h"
@@ -134,8 +135,8 @@ public:
             return in_bubblewrap(scratch_.path(), {"true"});
         }));
         judge.push_back(mean([](const HandedIn& handed) {
-            return Arguments{course::build_root() / "judges" / "reference" /
-                             handed.exercise.name};
+            return Arguments{course::judge_program(
+                handed.exercise, course::JudgeKind::reference)};
         }));
     }
 

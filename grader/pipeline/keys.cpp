@@ -10,6 +10,7 @@
 #include "course/runner/compile.h"
 #include "course/runner/limits.h"
 #include "course/runner/process.h"
+#include "course/runner/run_judge.h"
 
 namespace grader {
 
@@ -78,8 +79,8 @@ Keys::Keys(const std::vector<course::Exercise>& exercises,
         fmt::format("{}", fmt::join(arguments, " ")), limits_text(),
         surroundings}));
     for (const course::Exercise& exercise : exercises) {
-        std::string judge = course::read_file(course::build_root() / "judges" /
-                                              "grade" / exercise.name);
+        std::string judge = course::read_file(
+            course::judge_program(exercise, course::JudgeKind::grade));
         if (!exercise.is_data)
             judge += course::read_file(course::entry_object(exercise));
         suites_[exercise.name] = sha256(judge);

@@ -109,6 +109,9 @@ fs::path Exercise::skeleton() const {
 fs::path Exercise::statement() const {
     return folder_of(*this) / (name + ".md");
 }
+fs::path Exercise::solution() const {
+    return source_root() / "solutions" / topic / file_name();
+}
 
 std::vector<Exercise> all_exercises() {
     std::vector<fs::path> topics;

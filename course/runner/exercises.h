@@ -30,6 +30,9 @@ struct Exercise {
     std::filesystem::path contract() const;
     std::filesystem::path skeleton() const;
     std::filesystem::path statement() const;
+
+    /// The reference; a student's copy has none.
+    std::filesystem::path solution() const;
 };
 
 /// All exercises in order of topic; within a topic in the order in which its

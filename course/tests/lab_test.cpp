@@ -44,11 +44,6 @@ void check_usage_error(const std::vector<std::string>& arguments,
     CHECK(contains(said.text, words));
 }
 
-/// References are in the instructor's tree only.
-fs::path reference_of(const Exercise& exercise) {
-    return source_root() / "solutions" / exercise.topic / exercise.file_name();
-}
-
 }  // namespace
 
 TEST_CASE("wrong usage ends with 2 and says what is wrong") {
@@ -126,7 +121,7 @@ TEST_CASE("the untouched skeleton of every exercise fails with a message") {
 
 TEST_CASE("the reference of every exercise passes") {
     for (const Exercise& exercise : all_exercises()) {
-        const fs::path file = reference_of(exercise);
+        const fs::path file = exercise.solution();
         if (!fs::exists(file)) {
             WARN("skipped: no reference of " << exercise.name);
             continue;

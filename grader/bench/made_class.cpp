@@ -15,11 +15,6 @@ namespace {
 namespace fs = std::filesystem;
 using course::Exercise;
 
-std::string reference_of(const Exercise& exercise) {
-    return course::read_file(course::source_root() / "solutions" /
-                             exercise.topic / exercise.file_name());
-}
-
 /// Those that end by themselves.
 std::vector<fs::path> wrong_ones(const Exercise& exercise) {
     std::vector<fs::path> files;
@@ -36,7 +31,7 @@ std::vector<fs::path> wrong_ones(const Exercise& exercise) {
 
 /// The reference, with `loop` before all that its function does.
 std::string looping(const Exercise& exercise, const std::string& loop) {
-    std::string text = reference_of(exercise);
+    std::string text = course::read_file(exercise.solution());
     const auto name = text.find(" " + exercise.name + "(");
     const auto body = name == text.npos ? name : text.find('{', name);
     if (body == text.npos)
@@ -52,13 +47,15 @@ public:
         : content_(shape.content), random_(shape.seed) {}
 
     std::string next(const Exercise& exercise) {
-        if (content_ == Content::references) return reference_of(exercise);
+        if (content_ == Content::references)
+            return course::read_file(exercise.solution());
         constexpr std::size_t block = 20;
         if (count_ % block == 0) endless_ = below(block);
         if (count_++ % block == endless_) return endless(exercise);
         const std::size_t dice = below(20);
         const auto wrong = wrong_ones(exercise);
-        if (dice < 10 || wrong.empty()) return reference_of(exercise);
+        if (dice < 10 || wrong.empty())
+            return course::read_file(exercise.solution());
         if (dice < 13) return course::read_file(exercise.skeleton());
         return course::read_file(wrong[below(wrong.size())]);
     }
@@ -68,8 +65,9 @@ private:
     /// read, and one that the clock must.
     std::string endless(const Exercise& exercise) {
         by_clock_ = !by_clock_;
-        const bool has_table = reference_of(exercise).find(
-                                   "HalfEdgeTable& he") != std::string::npos;
+        const bool has_table =
+            course::read_file(exercise.solution()).find("HalfEdgeTable& he") !=
+            std::string::npos;
         return looping(exercise, by_clock_ || !has_table
                                      ? "for (;;) {}"
                                      : "for (;;) static_cast<void>(he[0]);");

@@ -23,12 +23,16 @@ Arguments libraries() {
     return files;
 }
 
-/// The submission and both of its suites.
+/// The submission, the references that it builds on, and both of its suites.
 Arguments sources(const HandedIn& handed) {
     const fs::path suite =
         fs::path(handed.exercise.topic) / (handed.exercise.name + "_test.cpp");
-    return {handed.file, source_root() / "exercises" / suite,
-            source_root() / "grader" / "suites" / suite};
+    Arguments files = {handed.file, source_root() / "exercises" / suite,
+                       source_root() / "grader" / "suites" / suite};
+    for (const course::Exercise& before :
+         course::exercises_before(handed.exercise))
+        files.push_back(before.solution());
+    return files;
 }
 
 /// A build of an earlier submission would be a head start.

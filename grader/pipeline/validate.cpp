@@ -33,11 +33,6 @@ struct Trial {
     ExerciseResult result{};
 };
 
-fs::path solution_of(const course::Exercise& exercise) {
-    return course::source_root() / "solutions" / exercise.topic /
-           exercise.file_name();
-}
-
 /// Stored wrong submissions: the name of the folder is the verdict.
 void add_wrong(std::size_t index, const course::Exercise& exercise,
                std::vector<Trial>& trials,
@@ -77,7 +72,7 @@ void look_at_files(Validation& validation) {
         validation.complaints.push_back(std::move(text));
     };
     for (const fs::path& file :
-         {exercise.skeleton(), exercise.statement(), solution_of(exercise)})
+         {exercise.skeleton(), exercise.statement(), exercise.solution()})
         if (!fs::exists(file))
             complain("there is no " +
                      fs::relative(file, course::source_root()).string());
@@ -111,7 +106,7 @@ std::vector<Trial> trials_of(std::size_t index, Validation& validation,
     const course::Exercise& exercise = validation.exercise;
     look_at_files(validation);
     if (!validation.complaints.empty()) return trials;
-    const fs::path solution = solution_of(exercise);
+    const fs::path solution = exercise.solution();
     // Each submission is judged with seeds of its own: the suite must be right
     // with any. The first few stand for them.
     constexpr std::uint64_t seeds = 8;

@@ -29,14 +29,12 @@ const std::vector<std::string> exercises = {"face_sides", "vertex_degree",
 /// Six students: two right, two wrong each in its way, one with nothing for an
 /// exercise, one whose file does not compile.
 void hand_in(const fs::path& dir) {
-    const fs::path root = course::source_root();
     for (int student = 0; student < 6; ++student) {
         const fs::path folder = dir / fmt::format("student{}", student);
         fs::create_directories(folder);
         for (const std::string& name : exercises) {
             const course::Exercise exercise = course::exercise_named(name);
-            const fs::path right =
-                root / "solutions" / exercise.topic / exercise.file_name();
+            const fs::path right = exercise.solution();
             const fs::path to = folder / exercise.file_name();
             if (student == 4 && name == "tip") continue;
             fs::copy_file(

@@ -102,9 +102,7 @@ TEST_CASE("submissions that nobody wrote get a verdict each") {
         Random random(static_cast<unsigned>(item));
         const course::Exercise& exercise =
             exercises[random() % exercises.size()];
-        const std::string reference =
-            course::read_file(course::source_root() / "solutions" /
-                              exercise.topic / exercise.file_name());
+        const std::string reference = course::read_file(exercise.solution());
         const course::TemporaryFolder folder;
         const fs::path file = folder / exercise.file_name();
         std::ofstream(file, std::ios::binary)

@@ -102,9 +102,7 @@ std::set<std::string> secret_lines() {
     for (const course::Exercise& exercise : course::all_exercises()) {
         const auto given = with_heads(lines_of(exercise.contract()));
         const auto skeleton = lines_of(exercise.skeleton());
-        const auto reference = course::source_root() / "solutions" /
-                               exercise.topic / exercise.file_name();
-        for (const std::string& line : lines_of(reference))
+        for (const std::string& line : lines_of(exercise.solution()))
             if (line.size() > by_accident && !is_idiom(line) &&
                 !given.count(line) && !skeleton.count(line))
                 secret.insert(line);

@@ -527,8 +527,7 @@ struct SmallClass {
 
     void hand_in(const fs::path& student, const course::Exercise& exercise) {
         fs::create_directories(dir / student);
-        fs::copy_file(course::source_root() / "solutions" / exercise.topic /
-                          exercise.file_name(),
+        fs::copy_file(exercise.solution(),
                       dir / student / exercise.file_name());
     }
 };

@@ -6,6 +6,7 @@
 
 #include "course/halfedge/table_errors.h"
 #include "course/runner/prelude.h"
+#include "course/runner/text_templates.h"
 
 // Clang 14 evaluates no std::string at compile time; it has no need of it.
 #ifndef __clang__

@@ -162,8 +162,9 @@ void report_submission(const OneSubmission& one, const Usual& usual,
     report.add({"b / c", ratios(one.seconds, usual.command), "", 1.0 / 80});
     report.add({"b / d", ratios(one.seconds, usual.project), "", 1.0 / 20});
     report.note(
-        "All four are means over the same files. a, c and d have no sandbox; "
-        "d compiles on all cores.");
+        "All four are means over the same files, one after the other, each "
+        "with "
+        "one job. a, c and d have no sandbox.");
 }
 
 void report_class(double floor, const Measured& first, const Measured& again,

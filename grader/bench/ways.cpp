@@ -105,7 +105,7 @@ double cmake_project(const HandedIn& handed, const fs::path& scratch) {
     const fs::path build = folder / "build";
     return seconds_of({"cmake", "-S", folder, "-B", build, "-G", "Ninja",
                        "-DCMAKE_CXX_COMPILER=" + course::compiler()}) +
-           seconds_of({"cmake", "--build", build}) +
+           seconds_of({"cmake", "--build", build, "--parallel", "1"}) +
            seconds_of({build / "tests"});
 }
 

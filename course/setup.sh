@@ -9,11 +9,12 @@ student_arch="gcc cmake ninja pkgconf catch2 fmt tinyobjloader cli11"
 student_brew="cmake ninja pkg-config catch2 fmt tinyobjloader cli11"
 
 grader_debian="libsqlitecpp-dev libsqlite3-dev nlohmann-json3-dev \
-libtomlplusplus-dev libssl-dev libseccomp-dev libarchive-dev bubblewrap"
+libtomlplusplus-dev libssl-dev libseccomp-dev libarchive-dev \
+libhowardhinnant-date-dev tzdata bubblewrap"
 grader_fedora="sqlitecpp-devel sqlite-devel json-devel tomlplusplus-devel \
-openssl-devel libseccomp-devel libarchive-devel bubblewrap"
+openssl-devel libseccomp-devel libarchive-devel date-devel tzdata bubblewrap"
 grader_arch="sqlitecpp sqlite nlohmann-json tomlplusplus openssl libseccomp \
-libarchive bubblewrap"
+libarchive chrono-date tzdata bubblewrap"
 
 # Packages of the list that dpkg does not know as installed.
 missing_debian() {

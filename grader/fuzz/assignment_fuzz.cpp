@@ -15,11 +15,12 @@ void check(const grader::Assignment& assignment) {
     fuzz::require(!assignment.name.empty(), "an assignment has a name");
     fuzz::require(assignment.exercises.size() <= known.size(),
                   "an exercise comes once");
-    for (const auto& [exercise, weight] : assignment.exercises) {
+    for (const grader::Assignment::Item& item : assignment.exercises) {
         fuzz::require(
-            std::find(known.begin(), known.end(), exercise) != known.end(),
+            std::find(known.begin(), known.end(), item.exercise) != known.end(),
             "exercises are known ones");
-        fuzz::require(weight > 0 && weight <= 1000, "weights are in range");
+        fuzz::require(item.weight > 0 && item.weight <= 1000,
+                      "weights are in range");
     }
 }
 

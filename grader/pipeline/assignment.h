@@ -1,12 +1,15 @@
-// What a class is graded on: the exercises, their weights, and how much of the
-// hidden cases students may see.
+// What a class is graded on: the exercises, their weights, when they are due,
+// and how much of the hidden cases students may see.
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "grader/pipeline/lateness.h"
 
 namespace grader {
 
@@ -17,17 +20,29 @@ enum class FeedbackLevel {
     full,             ///< everything, as for a public case
 };
 
+/// The same before and after the due date, unless the file says otherwise.
+struct HiddenFeedback {
+    FeedbackLevel before_due = FeedbackLevel::names_and_hints;
+    FeedbackLevel after_due = FeedbackLevel::names_and_hints;
+
+    friend bool operator==(const HiddenFeedback&,
+                           const HiddenFeedback&) = default;
+};
+
 struct Assignment {
     struct Item {
-        std::string exercise;  ///< as in the list of known names
-        double weight = 1;     ///< multiplies the exercise's points
+        std::string exercise;   ///< as in the list of known names
+        double weight = 1;      ///< multiplies the exercise's points
+        bool is_bonus = false;  ///< adds to what is reached, not to the maximum
 
         friend bool operator==(const Item&, const Item&) = default;
     };
 
     std::string name;
     std::vector<Item> exercises;  ///< in the order of the reports
-    FeedbackLevel hidden_feedback = FeedbackLevel::names_and_hints;
+    HiddenFeedback hidden_feedback;
+    std::optional<DueDate> due = {};
+    double rounding = 0;    ///< totals are multiples of it; 0: not rounded
 
     friend bool operator==(const Assignment&, const Assignment&) = default;
 };
@@ -59,6 +74,9 @@ Assignment read_assignment(const std::filesystem::path& file,
 
 /// What is graded without a file: every exercise in `known`, with weight 1.
 Assignment default_assignment(const std::vector<std::string>& known);
+
+/// What students may be told of hidden cases at that moment.
+FeedbackLevel hidden_feedback_at(const Assignment& assignment, Instant now);
 
 /// "face_sides" of "01_traversal/face_sides".
 std::string_view short_name(std::string_view exercise);

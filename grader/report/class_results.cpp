@@ -35,9 +35,16 @@ GradedAssignment graded_assignment(const Gradebook& gradebook,
     graded.assignment = assignment;
     graded.run = gradebook.last_run().value_or(Run());
     for (const Assignment::Item& item : assignment.exercises)
-        graded.exercises.push_back(
-            {item.exercise, item.weight, suite_of(graded.run, item.exercise)});
+        graded.exercises.push_back({item.exercise, item.weight,
+                                    suite_of(graded.run, item.exercise),
+                                    item.is_bonus});
     return graded;
+}
+
+FeedbackLevel hidden_feedback(const GradedAssignment& graded) {
+    const std::string& started_at = graded.run.started_at;
+    if (started_at.empty()) return graded.assignment.hidden_feedback.before_due;
+    return hidden_feedback_at(graded.assignment, instant_of(started_at));
 }
 
 StudentResults student_results(const Gradebook& gradebook,
@@ -95,13 +102,14 @@ Total total(const GradedAssignment& graded, const Scores& student) {
     const Status now = status(student);
     const bool is_grade =
         now != Status::grader_fault && now != Status::not_judged;
+    sum = rounded(sum, graded.assignment.rounding);
     return {is_grade ? std::optional(sum) : std::nullopt, max_total(graded)};
 }
 
 double max_total(const GradedAssignment& graded) {
     double sum = 0;
     for (const GradedExercise& one : graded.exercises)
-        sum += one.weight * one.suite.max;
+        if (!one.is_bonus) sum += one.weight * one.suite.max;
     return sum;
 }
 

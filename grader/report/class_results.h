@@ -17,6 +17,7 @@ struct GradedExercise {
     std::string exercise;  ///< "01_traversal/face_sides"
     double weight = 1;
     Suite suite;
+    bool is_bonus = false;  ///< adds to totals, not to their maximum
 };
 
 /// What all students' results have in common.
@@ -29,6 +30,9 @@ struct GradedAssignment {
 /// The assignment as the newest run graded it. Throws GradebookError.
 GradedAssignment graded_assignment(const Gradebook& gradebook,
                                    const Assignment& assignment);
+
+/// What students may be told of hidden cases, at the time of the newest run.
+FeedbackLevel hidden_feedback(const GradedAssignment& graded);
 
 /// One student: the exercises are those of the assignment, in its order. With
 /// meshes and printed texts this may be megabytes: have one at a time.
@@ -70,8 +74,8 @@ std::string_view words(Status status);
 
 Status status(const Scores& student);
 
-/// Weighted points. `total` has no value where there is no grade: a fault of
-/// ours must never be read as a low grade.
+/// Weighted points, rounded as the assignment says. `total` has no value where
+/// there is no grade: a fault of ours must never be read as a low grade.
 struct Total {
     std::optional<double> total;
     double max = 0;
@@ -79,7 +83,7 @@ struct Total {
 
 Total total(const GradedAssignment& graded, const Scores& student);
 
-/// Weighted points that every student could have reached.
+/// Weighted points that every student could have reached, without bonus.
 double max_total(const GradedAssignment& graded);
 
 /// Points of one exercise that every student could have reached.

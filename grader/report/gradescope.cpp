@@ -76,7 +76,7 @@ void add_exercise(Json& tests, const GradedAssignment& graded,
     if (!student.exercises[k]) return;
     const GradedExercise& exercise = graded.exercises[k];
     const ExerciseResult shown =
-        for_student(*student.exercises[k], graded.assignment.hidden_feedback);
+        for_student(*student.exercises[k], hidden_feedback(graded));
     const std::string number = std::to_string(k + 1);
     if (shown.cases.empty() || !shown.message.empty()) {
         Json file = file_test(exercise, shown, number);

@@ -98,9 +98,8 @@ std::string junit_xml(const GradedAssignment& graded,
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n";
     for (std::size_t k = 0; k < graded.exercises.size(); ++k)
         if (const auto& result = student.exercises[k])
-            text += suite_xml(
-                graded.exercises[k],
-                for_student(*result, graded.assignment.hidden_feedback));
+            text += suite_xml(graded.exercises[k],
+                              for_student(*result, hidden_feedback(graded)));
     return text + "</testsuites>\n";
 }
 

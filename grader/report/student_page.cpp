@@ -152,8 +152,7 @@ void add_exercise(Html& page, const GradedAssignment& graded,
            short_name(exercise.exercise),
            points_of(result, max_points(graded, k)));
     if (!result) return append(page, "<p>Not judged yet.</p>\n</section>\n");
-    const ExerciseResult shown =
-        for_student(*result, graded.assignment.hidden_feedback);
+    const ExerciseResult shown = for_student(*result, hidden_feedback(graded));
     append(page, "<p>{}</p>\n{}", explanation(shown.verdict),
            message_block(shown));
     add_cases(page, shown);

@@ -50,17 +50,20 @@ TEST_CASE("exercises keep the order of the file, with their weights") {
         "\"00_table/edge_vertices\" = 1\n"
         "boundary_walk = 1_000 # the most\n");
     const Assignment expected = {"Week 1",
-                                 {{"01_traversal/vertex_star", 2.5},
-                                  {"00_table/edge_vertices", 1},
-                                  {"02_border/boundary_walk", 1000}},
-                                 FeedbackLevel::full};
+                                 {{"01_traversal/vertex_star", 2.5, false},
+                                  {"00_table/edge_vertices", 1, false},
+                                  {"02_border/boundary_walk", 1000, false}},
+                                 {FeedbackLevel::full, FeedbackLevel::full},
+                                 {},
+                                 0};
     CHECK((assignment == expected));
 }
 
 TEST_CASE("what a file leaves out has a sensible value") {
     const Assignment assignment = read("[exercises]\nface_sides = 1\n");
     CHECK(assignment.name == "week_1");
-    CHECK((assignment.hidden_feedback == FeedbackLevel::names_and_hints));
+    CHECK((assignment.hidden_feedback == HiddenFeedback()));
+    CHECK_FALSE(assignment.due.has_value());
 }
 
 TEST_CASE("without a file every exercise counts once") {
@@ -83,8 +86,8 @@ TEST_CASE("all mistakes are reported, in the order of the file") {
         "zzz = true\n";
     const std::vector<AssignmentMistake> expected = {
         {1, 1,
-         "'nmae' is not a key; expected name, hidden_feedback or [exercises]; "
-         "did you mean name?"},
+         "'nmae' is not a key; expected one of name, exercises, bonus, "
+         "hidden_feedback, due, time_zone, rounding; did you mean name?"},
         {2, 19,
          "hidden_feedback is the text 'ful'; expected \"names\", "
          "\"names_and_hints\", \"full\"; did you mean full?"},
@@ -111,6 +114,55 @@ TEST_CASE("all mistakes are reported, in the order of the file") {
     }
     CHECK_THAT(message(text),
                Containing("week_1.toml:4:1: 'face_side' is not"));
+}
+
+TEST_CASE("due dates, bonus and rounding") {
+    const Assignment assignment = read(
+        "due = 2026-12-11T23:59:00\n"
+        "time_zone = 'Europe/Rome'\n"
+        "rounding = 0.5\n"
+        "[hidden_feedback]\n"
+        "before_due = 'names'\n"
+        "after_due = 'full'\n"
+        "[exercises]\n"
+        "face_sides = 1\n"
+        "[bonus]\n"
+        "vertex_star = 2\n");
+    REQUIRE(assignment.due.has_value());
+    CHECK(text_of(assignment.due->at) == "2026-12-11T22:59:00Z");
+    CHECK(assignment.due->zone == "Europe/Rome");
+    CHECK(assignment.rounding == 0.5);
+    REQUIRE(assignment.exercises.size() == 2);
+    CHECK_FALSE(assignment.exercises[0].is_bonus);
+    CHECK(assignment.exercises[1].is_bonus);
+    const Instant due = assignment.due->at;
+    CHECK((hidden_feedback_at(assignment, due) == FeedbackLevel::names));
+    CHECK((hidden_feedback_at(assignment, due + std::chrono::seconds(1)) ==
+           FeedbackLevel::full));
+}
+
+TEST_CASE("mistakes in dates, bonus and rounding") {
+    const std::string end = "[exercises]\nface_sides = 1\n";
+    const std::vector<std::pair<std::string, std::string>> rows = {
+        {"due = '11 December'\n",
+         ":1:7: due is the text '11 December'; expected "
+         "a local date and time"},
+        {"due = 2026-12-11\n", ":1:7: due is a date or a time; expected"},
+        {"due = 2026-12-11T23:59:00Z\n", ":1:7: due is a date or a time;"},
+        {"due = 2026-03-29T02:30:00\ntime_zone = 'Europe/Rome'\n",
+         ":1:7: 2026-03-29T02:30:00 does not exist in Europe/Rome"},
+        {"time_zone = 'Europe/Rom'\n",
+         ":1:13: there is no time zone 'Europe/Rom'; expected one such as"},
+        {"time_zone = 1\n", ":1:13: time_zone is 1; expected a name"},
+        {"rounding = -1\n", ":1:12: rounding is -1; expected a number above 0"},
+        {"[hidden_feedback]\nafter = 'full'\n",
+         ":2:1: 'after' is not a key of [hidden_feedback]; expected one of "
+         "before_due, after_due"},
+        {"[bonus]\nface_sides = 1\n", "named a second time"},
+        {"[bonus]\n", ":1:1: [bonus] is empty; expected at least one"},
+    };
+    for (const auto& [text, expected] : rows)
+        CHECK_THAT(message(text + end), Containing(expected));
 }
 
 TEST_CASE("a chapter is part of the suggestion where it was written") {

@@ -26,7 +26,7 @@ std::string given_to(const ClassResults& results,
 
 std::string given_to_all(FeedbackLevel level) {
     ClassResults results = sample_class();
-    results.assignment.hidden_feedback = level;
+    results.assignment.hidden_feedback = {level, level};
     std::string all;
     for (const StudentResults& student : results.students)
         all += given_to(results, student);

@@ -1,0 +1,280 @@
+#include "grader/pipeline/assignment_reader.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <sstream>
+
+#include "course/runner/nearest.h"
+
+namespace grader {
+
+namespace {
+
+constexpr double largest_weight = 1000;
+
+template <class Value>
+struct Named {
+    std::string_view name;
+    Value value;
+};
+
+constexpr std::array<Named<FeedbackLevel>, 3> levels = {{
+    {"names", FeedbackLevel::names},
+    {"names_and_hints", FeedbackLevel::names_and_hints},
+    {"full", FeedbackLevel::full},
+}};
+
+/// "the text 'soon'", "a table": what stands where something else should.
+std::string found(const toml::node& node) {
+    if (const auto* text = node.as_string())
+        return fmt::format("the text '{}'", text->get());
+    if (const auto* number = node.as_integer())
+        return fmt::format("{}", number->get());
+    if (const auto* number = node.as_floating_point())
+        return fmt::format("{}", number->get());
+    if (const auto* truth = node.as_boolean())
+        return truth->get() ? "true" : "false";
+    if (node.is_array()) return "a list";
+    if (node.is_table()) return "a table";
+    return "a date or a time";
+}
+
+template <class List>
+std::vector<std::string> names_in(const List& list) {
+    std::vector<std::string> names;
+    for (const auto& one : list) names.emplace_back(one.name);
+    return names;
+}
+
+template <class List>
+auto find_named(const List& list, std::string_view name) {
+    return std::find_if(list.begin(), list.end(),
+                        [&](const auto& one) { return one.name == name; });
+}
+
+}  // namespace
+
+const std::array<AssignmentReader::Key, 7> AssignmentReader::keys = {{
+    {"name", &AssignmentReader::read_name},
+    {"exercises", &AssignmentReader::read_exercises},
+    {"bonus", &AssignmentReader::read_bonus},
+    {"hidden_feedback", &AssignmentReader::read_feedback},
+    {"due", &AssignmentReader::read_due},
+    {"time_zone", &AssignmentReader::read_time_zone},
+    {"rounding", &AssignmentReader::read_rounding},
+}};
+
+const std::array<AssignmentReader::Key, 2> AssignmentReader::feedback_keys = {{
+    {"before_due", &AssignmentReader::read_before_due},
+    {"after_due", &AssignmentReader::read_after_due},
+}};
+
+void AssignmentReader::read(const toml::table& file) {
+    read_keys(file, "", keys);
+    if (file.get("exercises") == nullptr)
+        wrong({},
+              "no table [exercises] was found; expected one with a line such "
+              "as face_sides = 1 for each exercise");
+    set_due();
+    sort();
+}
+
+void AssignmentReader::wrong(const toml::source_position& at,
+                             std::string what) {
+    mistakes.push_back({static_cast<int>(at.line), static_cast<int>(at.column),
+                        std::move(what)});
+}
+
+void AssignmentReader::wrong(const toml::node& node, std::string_view name,
+                             std::string_view expected) {
+    wrong(node.source().begin,
+          fmt::format("{} is {}; expected {}", name, found(node), expected));
+}
+
+template <std::size_t N>
+void AssignmentReader::read_keys(const toml::table& table, std::string_view of,
+                                 const std::array<Key, N>& known) {
+    for (const auto& [key, value] : table) {
+        const auto one = find_named(known, key.str());
+        if (one != known.end()) {
+            (this->*one->read)(value);
+            continue;
+        }
+        const std::vector<std::string> names = names_in(known);
+        wrong(key.source().begin,
+              fmt::format("'{}' is not a key{}; expected one of {}{}",
+                          key.str(), of, fmt::join(names, ", "),
+                          course::did_you_mean(key.str(), names)));
+    }
+}
+
+template <class List>
+auto AssignmentReader::choice(const toml::node& node, std::string_view name,
+                              const List& list)
+    -> std::optional<decltype(list[0].value)> {
+    const auto text = node.value<std::string_view>();
+    const auto one = find_named(list, text.value_or(""));
+    if (one != list.end()) return one->value;
+    const std::vector<std::string> names = names_in(list);
+    wrong(node, name,
+          fmt::format("\"{}\"{}", fmt::join(names, "\", \""),
+                      course::did_you_mean(text.value_or(""), names)));
+    return std::nullopt;
+}
+
+std::optional<double> AssignmentReader::number(const toml::node& node,
+                                               std::string_view name,
+                                               double above, double most) {
+    const auto value = node.value<double>();
+    if (value && *value > above && *value <= most) return value;
+    wrong(node, name,
+          fmt::format("a number above {} and at most {}", above, most));
+    return std::nullopt;
+}
+
+void AssignmentReader::read_name(const toml::node& value) {
+    const auto* text = value.as_string();
+    if (text != nullptr && !text->get().empty())
+        assignment.name = text->get();
+    else
+        wrong(value, "name", "a title in quotes");
+}
+
+// ---- exercises
+
+void AssignmentReader::read_exercises(const toml::node& value) {
+    read_weights(value, "exercises", false);
+}
+
+void AssignmentReader::read_bonus(const toml::node& value) {
+    read_weights(value, "bonus", true);
+}
+
+void AssignmentReader::read_weights(const toml::node& value,
+                                    std::string_view name, bool is_bonus) {
+    const auto* table = value.as_table();
+    if (table == nullptr)
+        return wrong(value, name, "a table with a weight for each exercise");
+    if (table->empty())
+        wrong(
+            value.source().begin,
+            fmt::format("[{}] is empty; expected at least one exercise", name));
+    for (const auto& [key, weight] : *table)
+        read_exercise(key, weight, is_bonus);
+}
+
+void AssignmentReader::read_exercise(const toml::key& key,
+                                     const toml::node& weight, bool is_bonus) {
+    const auto exercise = known_exercise(key.str());
+    if (!exercise)
+        wrong(key.source().begin,
+              fmt::format("'{}' is not an exercise; expected one of the {} "
+                          "there are{}",
+                          key.str(), known_.size(), suggestion(key.str())));
+    const auto times = number(weight, "the weight", 0, largest_weight);
+    if (exercise && times)
+        placed_.push_back({key.source().begin, {*exercise, *times, is_bonus}});
+}
+
+std::optional<std::string> AssignmentReader::known_exercise(
+    std::string_view name) const {
+    for (const std::string& exercise : known_)
+        if (exercise == name || short_name(exercise) == name) return exercise;
+    return std::nullopt;
+}
+
+std::string AssignmentReader::suggestion(std::string_view name) const {
+    std::vector<std::string> names = known_;
+    if (chapter(name).empty())
+        for (std::string& one : names) one = short_name(one);
+    return course::did_you_mean(name, names);
+}
+
+// ---- feedback
+
+void AssignmentReader::read_feedback(const toml::node& value) {
+    if (const auto* table = value.as_table())
+        return read_keys(*table, " of [hidden_feedback]", feedback_keys);
+    read_before_due(value);
+    assignment.hidden_feedback.after_due =
+        assignment.hidden_feedback.before_due;
+}
+
+void AssignmentReader::read_before_due(const toml::node& value) {
+    if (const auto level = choice(value, "hidden_feedback", levels))
+        assignment.hidden_feedback.before_due = *level;
+}
+
+void AssignmentReader::read_after_due(const toml::node& value) {
+    if (const auto level = choice(value, "hidden_feedback", levels))
+        assignment.hidden_feedback.after_due = *level;
+}
+
+// ---- dates
+
+void AssignmentReader::read_due(const toml::node& value) {
+    const auto* time = value.as_date_time();
+    if (time == nullptr || time->get().offset)
+        return wrong(value, "due",
+                     "a local date and time such as 2026-12-11T23:59:00, and "
+                     "its time_zone");
+    std::ostringstream text;
+    text << time->get();
+    due_ = {value.source().begin, text.str()};
+}
+
+void AssignmentReader::read_time_zone(const toml::node& value) {
+    const auto* text = value.as_string();
+    if (text == nullptr)
+        return wrong(value, "time_zone", "a name such as \"Europe/Rome\"");
+    zone_ = {value.source().begin, text->get()};
+    try {
+        instant_of("2026-01-01T12:00:00", zone_.text);
+    } catch (const TimeError& error) {
+        wrong(zone_.at, error.what());
+        zone_.text.clear();
+    }
+}
+
+void AssignmentReader::set_due() {
+    if (due_.text.empty() || zone_.text.empty()) return;
+    try {
+        assignment.due = {instant_of(due_.text, zone_.text), zone_.text};
+    } catch (const TimeError& error) {
+        wrong(due_.at, error.what());
+    }
+}
+
+// ---- totals
+
+void AssignmentReader::read_rounding(const toml::node& value) {
+    assignment.rounding = number(value, "rounding", 0, 10).value_or(0);
+}
+
+// ---- order
+
+/// toml++ keeps keys by alphabet; reports follow the file.
+void AssignmentReader::sort() {
+    const auto by_place = [](const auto& a, const auto& b) {
+        return std::pair(a.line, a.column) < std::pair(b.line, b.column);
+    };
+    std::sort(
+        placed_.begin(), placed_.end(),
+        [&](const Placed& a, const Placed& b) { return by_place(a.at, b.at); });
+    for (const Placed& one : placed_) add(one);
+    std::stable_sort(mistakes.begin(), mistakes.end(), by_place);
+}
+
+void AssignmentReader::add(const Placed& one) {
+    for (const Assignment::Item& item : assignment.exercises)
+        if (item.exercise == one.item.exercise)
+            return wrong(one.at,
+                         fmt::format("{} is named a second time; expected each "
+                                     "exercise once",
+                                     item.exercise));
+    assignment.exercises.push_back(one.item);
+}
+
+}  // namespace grader

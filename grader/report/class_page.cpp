@@ -392,7 +392,7 @@ Html suite_rows(const ClassSummary& results) {
             R"(<td class="n">{}</td><td class="mono">{}</td></tr>)"
             "\n",
             short_name(one.exercise), one.suite.file,
-            course::points_text(one.suite.max), course::points_text(one.weight),
+            course::points_text(one.suite.max), weight_text(one),
             one.suite.version);
     return rows;
 }

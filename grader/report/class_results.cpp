@@ -5,6 +5,8 @@
 #include <map>
 #include <utility>
 
+#include "course/report/text.h"
+
 namespace grader {
 
 namespace {
@@ -123,9 +125,15 @@ std::optional<double> points(const std::optional<Score>& score) {
 }
 
 bool is_weighted(const GradedAssignment& graded) {
-    return std::any_of(
-        graded.exercises.begin(), graded.exercises.end(),
-        [](const GradedExercise& one) { return one.weight != 1; });
+    return std::any_of(graded.exercises.begin(), graded.exercises.end(),
+                       [](const GradedExercise& one) {
+                           return one.weight != 1 || one.is_bonus;
+                       });
+}
+
+std::string weight_text(const GradedExercise& exercise) {
+    return course::points_text(exercise.weight) +
+           (exercise.is_bonus ? " (bonus)" : "");
 }
 
 bool was_judged(const std::optional<Score>& score) {

@@ -92,7 +92,10 @@ double max_points(const GradedAssignment& graded, std::size_t exercise);
 /// The points of a result; none when there is no result, or a fault.
 std::optional<double> points(const std::optional<Score>& score);
 
-/// Whether some weight is not 1.
+/// "1.5", "2 (bonus)".
+std::string weight_text(const GradedExercise& exercise);
+
+/// Whether some weight is not 1, or some exercise a bonus.
 bool is_weighted(const GradedAssignment& graded);
 
 /// Whether a file of the exercise was handed in and judged.

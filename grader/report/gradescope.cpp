@@ -46,6 +46,11 @@ Json test(const std::string& name, const std::string& number, Verdict verdict,
     return one;
 }
 
+/// What so many points of it add to the maximum.
+double worth(const GradedExercise& exercise, double points) {
+    return exercise.is_bonus ? 0 : exercise.weight * points;
+}
+
 Json case_test(const GradedExercise& exercise, const CaseResult& result,
                const std::string& number, Grade grade) {
     const std::string name(short_name(exercise.exercise));
@@ -56,7 +61,7 @@ Json case_test(const GradedExercise& exercise, const CaseResult& result,
     Json one =
         test(name + ": " + result.info.name, number, result.verdict, output);
     add_score(one, exercise.weight * earned(result),
-              exercise.weight * result.info.points, grade);
+              worth(exercise, result.info.points), grade);
     return one;
 }
 
@@ -81,7 +86,7 @@ void add_exercise(Json& tests, const GradedAssignment& graded,
     if (shown.cases.empty() || !shown.message.empty()) {
         Json file = file_test(exercise, shown, number);
         if (shown.cases.empty())  // otherwise they have the points
-            add_score(file, 0, exercise.weight * exercise.suite.max, grade);
+            add_score(file, 0, worth(exercise, exercise.suite.max), grade);
         tests.push_back(std::move(file));
     }
     for (std::size_t c = 0; c < shown.cases.size(); ++c)

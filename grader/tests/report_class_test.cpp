@@ -85,6 +85,16 @@ TEST_CASE("points are weighted, and what is missing counts nothing") {
     CHECK(sum.max == 10 + 1.5 * 10 + 10);
 }
 
+TEST_CASE("bonus adds to the total and not to its maximum") {
+    ClassResults all = one_student(all_accepted());
+    all.exercises[2].is_bonus = true;
+    all.assignment.rounding = 10;
+    const Total sum = total(all, scores_of(all.students[0]));
+    CHECK(sum.total == 40);  // 10 + 1.5 * 10 + 10, halves upwards
+    CHECK(sum.max == 10 + 1.5 * 10);
+    CHECK_THAT(class_page(summary_of(all)).text, Containing("1 (bonus)"));
+}
+
 TEST_CASE("the status tells what a total is worth") {
     const auto ok = all_accepted()[0], none = nothing()[0], broken = fault()[0],
                wrong = wrong_and_endless()[2];

@@ -64,6 +64,7 @@ function around_box(box, w, h) {
     const places = [];
     for (const far of [0, 0.6, 1.3])
         for (const [dx, dy] of [[0, -1], [0, 1], [-1, 0], [1, 0],
+                                [-1, -0.5], [-1, 0.5], [1, -0.5], [1, 0.5],
                                 [-1, -1], [1, -1], [-1, 1], [1, 1]])
             places.push({
                 x: box.x + dx * ((box.w + w) / 2 + 2 + far * h),

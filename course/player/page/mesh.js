@@ -126,14 +126,16 @@ class MeshDrawing {
     /** this.at: the places of the vertices in the frame. */
     fit(flat) {
         const [x, y] = extent(flat);
-        const margin = [this.font * 3.1, this.font * 2.1];
-        const room = [this.frame.width - 2 * margin[0],
-                      this.frame.height - 2 * margin[1]];
-        const scale = Math.max(1e-9, Math.min(
-            room[0] / (x[1] - x[0] || 1e-9), room[1] / (y[1] - y[0] || 1e-9)));
+        const margin = [this.font * 3, this.font * 2.5];
+        const fits = [this.frame.width, this.frame.height].map((size, d) =>
+            Math.max(1, size - 2 * margin[d]) /
+            Math.max(1e-9, [x, y][d][1] - [x, y][d][0]));
+        // Stretched a little where there is room: the labels need it.
+        const scale = fits.map((fit) =>
+            Math.min(fit, 1.35 * Math.min(...fits)));
         this.at = flat.map((p) => [
-            this.frame.width / 2 + scale * (p[0] - (x[0] + x[1]) / 2),
-            this.frame.height / 2 - scale * (p[1] - (y[0] + y[1]) / 2)]);
+            this.frame.width / 2 + scale[0] * (p[0] - (x[0] + x[1]) / 2),
+            this.frame.height / 2 - scale[1] * (p[1] - (y[0] + y[1]) / 2)]);
     }
 
     /** Sizes that hang on how long the edges are. */
@@ -231,7 +233,7 @@ class MeshDrawing {
         const group = svg("g", { class: roles.join(" "),
                                  "data-half-edge": h }, layer);
         const long = Math.min(this.head, 0.7 * Math.hypot(x2 - x1, y2 - y1));
-        const wide = roles.length > 1 ? 0.5 * long : 0.38 * long;
+        const wide = (roles.length > 1 ? 0.5 : 0.38) * long;
         const [bx, by] = [x2 - ux * long, y2 - uy * long];
         svg("path", { class: "reach", d: `M${x1} ${y1}L${x2} ${y2}`,
                       "stroke-width": 2 * this.offset }, group);
@@ -253,8 +255,8 @@ class MeshDrawing {
             svg("circle", { cx: p[0], cy: p[1], r: this.radius }, group);
             if (!this.dense)
                 svg("text", { x: p[0], y: p[1] }, group).textContent = "V" + v;
-            this.labels.take({ x: p[0], y: p[1], w: 2 * this.radius,
-                               h: 2 * this.radius });
+            this.labels.take({ x: p[0], y: p[1], w: 1.8 * this.radius,
+                               h: 1.8 * this.radius });
         });
     }
 
@@ -361,7 +363,7 @@ class MeshDrawing {
             const size = { w, h: 1.1 * this.font };
             const box = this.labels.place(is_inside_out(corners)
                 ? corner_places(this.frame, size)
-                : inner_places(corners, size));
+                : inner_places(corners, size, this.offset));
             if (box) this.draw_box(box, "F" + f,
                                    "face-label" + (lit.has(f) ? " lit" : ""));
         }
@@ -399,7 +401,7 @@ function is_inside_out(corners) {
 }
 
 /** Points of a grid inside the polygon, those far from its sides first. */
-function inner_places(corners, size) {
+function inner_places(corners, size, margin) {
     const [[left, right], [top, bottom]] = extent(corners);
     const places = [];
     for (let j = 1; j < 16; ++j)
@@ -408,8 +410,9 @@ function inner_places(corners, size) {
                        top + (bottom - top) * k / 16];
             const away = Math.min(...corners.map((a, i) => segment_distance(
                 p, a, corners[(i + 1) % corners.length])));
-            if (is_in(p, corners) && away > size.h / 2)
-                places.push({ x: p[0], y: p[1], ...size, cost: -away / size.h });
+            if (is_in(p, corners) && away > size.h / 2 + margin)
+                places.push({ x: p[0], y: p[1], ...size,
+                              cost: -away / size.h });
         }
     return places;
 }

@@ -1,0 +1,119 @@
+// A source file with a line and an expression lit, and what can be said about
+// its names from the text alone.
+
+/** The lines of one file: {label, file, first, lines} of the recording. */
+class Source {
+    constructor({ label, file, first, lines }) {
+        Object.assign(this, { label, file, first, lines });
+        this.plain = lines.map((line) => line.replace(/\/\/.*/, ""));
+        this.half_edge_names = half_edge_names(this.plain.join("\n"));
+        this.shadows = find_shadows(this.plain, first);
+    }
+
+    text(line) {
+        return this.lines[line - this.first] || "";
+    }
+
+    /** [before, expression, after] of columns that are counted in bytes. */
+    split(line, [from, to]) {
+        const bytes = new TextEncoder().encode(this.text(line));
+        return [[0, from - 1], [from - 1, to - 1], [to - 1]].map(
+            (range) => new TextDecoder().decode(bytes.slice(...range)));
+    }
+
+    /** The inner variable that hides an outer one of this name at the line. */
+    shadow(name, line) {
+        return this.shadows.find((s) =>
+            s.name === name && s.line <= line && line < s.end);
+    }
+
+    /** The name of the first int that the function gets; "" if none. */
+    first_parameter(function_name) {
+        const head = this.plain.join(" ").match(
+            new RegExp("\\b" + function_name + "\\(([^)]*)\\)\\s*{"));
+        const names = head ? head[1].match(/\bint\s+(\w+)/) : null;
+        return names ? names[1] : "";
+    }
+}
+
+/** Names of variables that hold half-edges: he[X], then A = X, A != X... */
+function half_edge_names(text) {
+    const names = new Set();
+    for (const [, name] of text.matchAll(/\w\[(\w+)\]\s*\.?/g)) names.add(name);
+    for (const [, name] of text.matchAll(/(\w+)\s*=[^=;]*\.(?:next|opp);/g))
+        names.add(name);
+    for (let size = -1; size !== names.size;) {
+        size = names.size;
+        const pairs = text.matchAll(/(\w+)\s*[!=]?=\s*(\w+)\s*[;)]/g);
+        for (const [, a, b] of pairs) {
+            if (names.has(b)) names.add(a);
+            if (names.has(a)) names.add(b);
+        }
+    }
+    return new Set([...names].filter((name) => !/^\d/.test(name)));
+}
+
+/**
+ * Declarations of a name that an outer scope of the same function has, too:
+ * [{name, line, end}], from the line of the declaration to before `end`.
+ */
+function find_shadows(lines, first) {
+    const declaration =
+        /[{}();]|\b(?:int|auto|bool|double)\s*&?\s+(\w+)\s*(?=[=;:,)[])/g;
+    const scopes = [[]];
+    const shadows = [];
+    let pending = [];  // names in parentheses belong to the block after them
+    let parentheses = 0;
+    lines.forEach((text, k) => {
+        for (const [token, name] of text.matchAll(declaration)) {
+            if (token === "(") ++parentheses;
+            else if (token === ")") --parentheses;
+            else if (token === "{") {
+                scopes.push(pending);
+                pending = [];
+            } else if (token === "}") {
+                for (const s of scopes.pop() || [])
+                    if (s.outer) shadows.push({
+                        ...s, end: Math.max(first + k, s.line + 1) });
+            } else if (token === ";") {
+                if (!parentheses) pending = [];
+            } else {
+                const outer = scopes.flat().some((s) => s.name === name);
+                (parentheses ? pending : scopes[scopes.length - 1] || [])
+                    .push({ name, line: first + k, outer });
+            }
+        }
+    });
+    return shadows;
+}
+
+class CodePicture {
+    /** box: a block element, which gets the lines and scrolls by itself. */
+    constructor(box) {
+        this.box = box;
+        box.classList.add("code-picture");
+    }
+
+    /** line 0: none is lit; columns: [from, to) of the lit expression. */
+    show(source, line, columns) {
+        this.box.textContent = "";
+        source.lines.forEach((text, k) => {
+            const here = source.first + k === line;
+            const parts = here && columns ? this.lit(source, line, columns)
+                                          : [text || " "];
+            this.box.append(html(
+                "div", { class: here ? "line current" : "line",
+                         "data-line": source.first + k,
+                         style: `--indent: ${text.search(/\S|$/)}ch` },
+                html("code", {}, ...parts)));
+        });
+        const lit = this.box.querySelector(".current") ||
+            this.box.firstElementChild;
+        if (lit) scroll_to_middle(this.box, lit);
+    }
+
+    lit(source, line, columns) {
+        const [before, expression, after] = source.split(line, columns);
+        return [before, html("mark", {}, expression), after];
+    }
+}

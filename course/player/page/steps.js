@@ -1,0 +1,154 @@
+// What is true at each step of a recorded walk. All is worked out from the
+// recording and the number of the step alone, so that back is as good as
+// forward.
+
+const value_kinds = ["V", "F", "H", "H"];
+
+/** A value of the recording as text; long lists are cut. */
+function value_text(value) {
+    if (value === null) return "nothing";
+    if (!Array.isArray(value)) return String(value);
+    if (Array.isArray(value[0]) && value.length > 4)
+        return `a list of ${value.length}`;
+    return "[" + value.map(value_text).join(", ") + "]";
+}
+
+/**
+ * One walk. Its states are: 0 the call; k the k-th step of the recording; the
+ * last one the result or the error.
+ */
+class Walk {
+    constructor(recording, walk) {
+        Object.assign(this, walk);
+        this.recording = recording;
+        this.code = recording.code[walk.source];
+        this.count = walk.steps.length + 2;
+        this.starts_at_half_edge = this.start !== null &&
+            this.start !== undefined && this.code.half_edge_names.has(
+                this.code.first_parameter(this.call.split("(")[0]));
+    }
+
+    is_last(k) {
+        return k === this.count - 1;
+    }
+
+    /** The recorded step that state k shows; {} for the call. */
+    step(k) {
+        return this.steps[Math.min(k, this.steps.length) - 1] || {};
+    }
+
+    /** Table, variables, lit rows... of state k. */
+    state(k) {
+        const state = {
+            table: (this.table || this.recording.mesh.table).map((r) => [...r]),
+            variables: new Map(), seen: [], changed: new Set(), flags: {} };
+        const last = Math.min(k, this.steps.length);
+        for (let j = 1; j <= last; ++j) this.apply(this.steps[j - 1], state);
+        if (this.starts_at_half_edge) state.start = this.start;
+        if (k > 0) this.light(this.step(k), state);
+        if (this.is_last(k)) this.light_end(state);
+        state.line = this.step(k).l || 0;
+        state.columns = this.is_last(k) && !this.error ? null
+                                                       : this.step(k).c;
+        this.set_flags(state);
+        return state;
+    }
+
+    apply(step, state) {
+        const { i, f, v, w } = step;
+        if (step.new) state.table[i] = [...step.new];
+        else if (w !== undefined && state.table[i]) {
+            if (f === undefined) state.table[i] = [...v];
+            else state.table[i][f] = v;
+        }
+        if (w !== undefined || step.new)
+            for (const g of f === undefined ? [0, 1, 2, 3] : [f])
+                state.changed.add(i + "," + g);
+        if (i !== undefined && i >= 0 && !state.seen.includes(i))
+            state.seen.push(i);
+        this.set_variables(step, state.variables);
+    }
+
+    /** A variable that hides another one has a place of its own. */
+    set_variables(step, variables) {
+        const { l, i, c, d = {} } = step;
+        for (const [key, { line, end }] of variables)
+            if (line && (l < line || l >= end)) variables.delete(key);
+        const set = (name, value) => {
+            const shadow = this.code.shadow(name, l);
+            const key = shadow ? name + "@" + shadow.line : name;
+            if (value === null) variables.delete(key);
+            else variables.set(key, { name, value, ...shadow, step });
+        };
+        for (const name in d) set(name, d[name]);
+        if (this.has_locals() || !c || i === undefined) return;
+        const index = this.code.split(l, c)[1].match(/\[([a-z_]\w*)\]/);
+        if (index) variables.set(index[1], { name: index[1], value: i, step });
+    }
+
+    has_locals() {
+        this.locals_seen ??= this.steps.some((step) => step.d);
+        return this.locals_seen;
+    }
+
+    /** What the step itself reads or writes. */
+    light({ i, f, v, w }, state) {
+        if (i === undefined) return;
+        state.current = i;
+        state.field = f;
+        state.value = v;
+        if (w !== undefined && f !== undefined) state.old = w;
+        if (f === 0) state.vertices = [v];
+        if (f === 1) state.faces = [v];
+        if (f === 2) state.next = v;
+        if (f === 3) state.opp = v;
+    }
+
+    /** At the end: the elements of the result, or the cycle of no end. */
+    light_end(state) {
+        if (this.error) {
+            if (this.cycle().length) state.half_edges = this.cycle();
+            return;
+        }
+        for (const name of ["current", "field", "next", "opp", "old",
+                            "vertices", "faces"]) delete state[name];
+        const kind = result_kind(this.recording.exercise);
+        const values = [this.result].flat(2);
+        if (!kind || values.some((x) => !Number.isInteger(x))) return;
+        state[kind] = values;
+    }
+
+    /** The half-edges that the walk's end visits again and again. */
+    cycle() {
+        const visits = this.steps.filter((s) => s.i >= 0)
+            .map((s) => `${s.i} ${s.f}`);
+        if (!this.skipped && visits.length < 100) return [];
+        for (let period = 1; 3 * period <= visits.length; ++period) {
+            const end = visits.slice(-2 * period);
+            if (end.every((x, k) => x === end[k % period]))
+                return [...new Set(end.map((x) => parseInt(x)))];
+        }
+        return [];
+    }
+
+    /** Names of variables at the half-edges that they hold. */
+    set_flags({ flags, variables, start, table }) {
+        const add = (h, name) => {
+            if (!table[h]) return;
+            flags[h] ??= [];
+            if (!flags[h].includes(name)) flags[h].push(name);
+        };
+        if (start !== undefined) add(start, "start");
+        for (const { name, value } of variables.values())
+            if (this.code.half_edge_names.has(name)) add(value, name);
+    }
+}
+
+/** Which elements the numbers of the exercise's result are. */
+function result_kind(exercise) {
+    if (/(faces|face_across|strip)$/.test(exercise)) return "faces";
+    if (/(vertices|star|tip)$/.test(exercise)) return "vertices";
+    if (/(outgoing|walk|walk_bug|loops|prev)$/.test(exercise))
+        return "half_edges";
+    return "";
+}

@@ -1,0 +1,300 @@
+// The page of recorded walks: mesh, table, source and variables of a step, two
+// walks side by side, and the questions to the room. Scripts before it, in
+// this order: svg.js layout.js labels.js mesh.js table.js code.js stepper.js
+// steps.js say.js compare.js; styles: base.css mesh.css walk.css; body:
+// walk.html.
+
+const at_id = (id) => document.getElementById(id);
+
+/** Mesh and source of one walk. */
+class Pane {
+    constructor(recording) {
+        this.heading = html("h2");
+        this.picture_box = svg("svg", { class: "picture",
+                                        "aria-hidden": "true" });
+        this.code_box = html("div", { class: "code" });
+        this.root = html("section", { class: "pane" }, this.heading,
+                         this.picture_box, this.code_box);
+        at_id("panes").append(this.root);
+        this.mesh = new MeshPicture(this.picture_box, recording.mesh);
+        this.code = new CodePicture(this.code_box);
+    }
+
+    /** A new walk: new vertices get their places. */
+    begin(walk) {
+        this.mesh.flat.length = walk.recording.mesh.points.length;
+        this.mesh.remember(walk.state(walk.count - 1).table);
+    }
+
+    show(walk, state) {
+        this.mesh.show(state);
+        this.code.show(walk.code, state.line, state.columns);
+    }
+}
+
+class WalkPage {
+    constructor(recording) {
+        this.recording = recording;
+        recording.code = recording.sources.map((s) => new Source(s));
+        this.walks = recording.walks.map((w) => new Walk(recording, w));
+        this.panes = [new Pane(recording)];
+        this.table = new TablePicture(at_id("table"));
+        this.typed = "";
+        this.room = { on: false, question: null, verdict: null,
+                      right: 0, asked: 0 };
+        this.comparison = null;
+        this.make_controls();
+        this.open_link();
+        addEventListener("hashchange", () => this.open_link());
+    }
+
+    make_controls() {
+        this.stepper = new Stepper(at_id("bar"), {
+            draw: (k) => this.draw(k),
+            before_next: () => this.ask_first(),
+            keys: this.keys(),
+        });
+        at_id("title").textContent = this.recording.title;
+        this.panes[0].mesh.on_pick = this.table.on_pick = (h) => this.pick(h);
+        this.fill_source_list();
+        at_id("start").onchange = () =>
+            this.open(this.walks[Number(at_id("start").value)], 0);
+        at_id("source").onchange = () => this.change_source();
+        this.predict_button = this.add_button("predict", "q");
+        this.compare_button = this.add_button("compare", "c");
+        this.compare_button.hidden = this.recording.sources.length < 2;
+    }
+
+    add_button(text, key) {
+        const button = html("button", { type: "button", "aria-pressed": "false",
+                                        title: `${text} (${key})` }, text);
+        button.onclick = () => this.stepper.keys[key].run();
+        at_id("bar").append(button);
+        return button;
+    }
+
+    keys() {
+        const digit = (d) => ({ text: "number of a half-edge, then Enter",
+                                run: () => this.type(d) });
+        const keys = {
+            q: { text: "predict: ask the room", run: () => this.predict() },
+            Enter: { text: "answer, or start there", run: () => this.enter() },
+        };
+        if (this.recording.sources.length > 1) {
+            keys.c = { text: "compare both files", run: () => this.compare() };
+            keys.s = { text: "other file", run: () => this.change_source() };
+        }
+        for (let d = 0; d <= 9; ++d) keys[d] = digit(String(d));
+        return keys;
+    }
+
+    fill_source_list() {
+        const list = at_id("source");
+        this.recording.sources.forEach(({ label }, n) =>
+            list.append(html("option", { value: n }, label)));
+        list.hidden = this.recording.sources.length < 2;
+    }
+
+    fill_start_list() {
+        const list = at_id("start");
+        list.textContent = "";
+        this.walks.forEach((walk, n) => {
+            if (walk.source === this.walk.source)
+                list.append(html("option", { value: n }, walk.call));
+        });
+        list.value = this.walks.indexOf(this.walk);
+        at_id("source").value = this.walk.source;
+    }
+
+    /** The walk of a source with this start; undefined if not recorded. */
+    find(source, start) {
+        return this.walks.find((w) => w.source === source && w.start === start);
+    }
+
+    open_link() {
+        const link = read_link();
+        const source = Number(link.source || 0);
+        const walk = this.find(source, Number(link.i)) ||
+            this.walks.find((w) => w.source === source) || this.walks[0];
+        this.open(walk, Number(link.step || 0));
+        if (link.compare) this.compare(Number(link.step || 0));
+    }
+
+    open(walk, k) {
+        this.comparison = null;
+        this.walk = walk;
+        this.fill_start_list();
+        this.forget_question();
+        this.panes[0].begin(walk);
+        this.stepper.reset(walk.count, k);
+    }
+
+    /** The same start in the other file, at the same place in the walk. */
+    change_source() {
+        const source = (this.walk.source + 1) % this.recording.sources.length;
+        const walk = this.find(source, this.walk.start) ||
+            this.walks.find((w) => w.source === source);
+        if (walk) this.open(walk, this.comparison ? 0 : this.stepper.k);
+    }
+
+    pick(h) {
+        if (this.room.question) return this.answer(h);
+        const walk = this.find(this.walk.source, h);
+        if (walk) this.open(walk, 0);
+    }
+
+    type(digit) {
+        this.typed += digit;
+        this.draw(this.stepper.k);
+    }
+
+    enter() {
+        const typed = this.typed;
+        this.typed = "";
+        if (typed) this.pick(Number(typed));
+        else this.stepper.keys.ArrowRight.run();
+    }
+
+    compare(k) {
+        const other = this.walks.find((w) => w.source !== this.walk.source &&
+                                             w.start === this.walk.start);
+        if (this.comparison || !other) return this.open(this.walk, 0);
+        if (!this.panes[1]) this.panes[1] = new Pane(this.recording);
+        const pair = [this.walk, other].sort((a, b) => a.source - b.source);
+        this.forget_question();
+        this.comparison = new Comparison(...pair);
+        pair.forEach((walk, n) => this.panes[n].begin(walk));
+        this.stepper.reset(this.comparison.count,
+                           k ?? Math.max(0, this.comparison.parting));
+    }
+
+    predict() {
+        this.room.on = !this.room.on;
+        this.forget_question();
+        this.draw(this.stepper.k);
+    }
+
+    forget_question() {
+        this.room.question = this.room.verdict = null;
+        this.typed = "";
+    }
+
+    /** Whether a question has to be answered before the next step. */
+    ask_first() {
+        const k = this.stepper.k + 1;
+        const { i, f, v, w } = this.walk.step(k);
+        const is_read = k <= this.walk.steps.length && i >= 0 && f >= 2 &&
+            v >= 0 && w === undefined;
+        if (!this.room.on || this.room.question || !is_read || this.comparison)
+            return false;
+        this.stepper.stop();
+        this.room.question = { k: k - 1 };
+        this.draw(k - 1);
+        return true;
+    }
+
+    answer(h) {
+        const k = this.stepper.k + 1;
+        const right = h === this.walk.step(k).v;
+        this.room.verdict = { k, h, right };
+        this.room.asked += 1;
+        this.room.right += right;
+        this.stepper.go(k);
+    }
+
+    draw(k) {
+        const { question, verdict } = this.room;
+        if (question && question.k !== k) this.room.question = null;
+        if (verdict && verdict.k !== k) this.room.verdict = null;
+        document.body.classList.toggle("comparing", Boolean(this.comparison));
+        this.compare_button?.setAttribute("aria-pressed",
+                                          String(Boolean(this.comparison)));
+        this.predict_button?.setAttribute("aria-pressed", String(this.room.on));
+        if (this.comparison) this.draw_comparison(k);
+        else this.draw_walk(k);
+        this.show_score();
+        this.keep_link(k);
+    }
+
+    keep_link(step) {
+        const { source, start } = this.walk;
+        const link = { i: start ?? 0, step, source };
+        if (this.comparison) link.compare = 1;
+        if (read_link().theme) link.theme = read_link().theme;
+        write_link(link);
+    }
+
+    draw_walk(k) {
+        const state = this.walk.state(k);
+        let words = say_state(this.walk, k, state);
+        if (this.room.question) words = this.put_question(k, state);
+        if (this.room.verdict) words.more = this.say_verdict(state);
+        if (this.typed) words.more = `H${this.typed} … Enter`;
+        this.say(words);
+        this.panes[0].show(this.walk, state);
+        this.table.show(state);
+        this.show_variables(state, this.walk.step(k), k);
+    }
+
+    /** The state before the read, with the cell that is asked for. */
+    put_question(k, state) {
+        const step = this.walk.step(k + 1);
+        for (const name of ["next", "opp", "vertices", "faces", "old"])
+            delete state[name];
+        Object.assign(state, { current: step.i, field: step.f, value: "?",
+                               line: step.l, columns: step.c });
+        return { main: access_text(this.walk, step) + " is … ?",
+                 more: "Which half-edge? Click it or type its number." };
+    }
+
+    say_verdict(state) {
+        const { h, right, k } = this.room.verdict;
+        if (right) return "✓ The room is right.";
+        (state.flags[h] ??= []).push("room");
+        return `✗ The room said H${h}; it is H${this.walk.step(k).v}.`;
+    }
+
+    say({ main, more }) {
+        at_id("main").textContent = main;
+        at_id("more").textContent = more;
+        at_id("say").className = main.length > 46 ? "long" : "";
+    }
+
+    show_score() {
+        const { right, asked } = this.room;
+        at_id("score").textContent = asked ? `room: ${right} of ${asked}` : "";
+    }
+
+    show_variables({ variables }, step, k) {
+        const hidden = new Set();
+        for (const { name, line } of variables.values())
+            if (line) hidden.add(name);
+        const chips = [...variables.values()].map((variable) => {
+            const { name, value, line } = variable;
+            const which = line ? "inner " : hidden.has(name) ? "outer " : "";
+            const fresh = variable.step === step && k > 0;
+            return html("span", { class: fresh ? "chip fresh" : "chip" },
+                        `${which}${name} = `, html("b", {}, value_text(value)));
+        });
+        at_id("variables").replaceChildren(...chips);
+    }
+
+    draw_comparison(k) {
+        this.comparison.walks.forEach((walk, n) => {
+            const own = this.comparison.place(n, k);
+            const state = walk.state(own);
+            this.panes[n].show(walk, state);
+            this.panes[n].heading.textContent = this.recording
+                .sources[walk.source].label + ": " +
+                say_state(walk, own, state).main;
+        });
+        this.say({ main: this.comparison.say(k), more: "" });
+    }
+}
+
+const page = new WalkPage(page_data);
+window.player = {
+    stepper: page.stepper,
+    state: () => ({ walk: page.walks.indexOf(page.walk), k: page.stepper.k,
+                    comparing: Boolean(page.comparison), room: page.room }),
+};

@@ -94,17 +94,26 @@ class CodePicture {
         box.classList.add("code-picture");
     }
 
+    /** Large letters for short lines; in hundredths, the --u of base.css. */
+    font_size(source) {
+        const inner = source.plain.filter((text) => /^\s/.test(text));
+        const longest = Math.max(20, ...inner.map((t) => t.trimEnd().length));
+        return Math.max(1.78, Math.min(2.3, 64 / (longest + 1))).toFixed(2);
+    }
+
     /** line 0: none is lit; columns: [from, to) of the lit expression. */
     show(source, line, columns) {
         this.box.textContent = "";
+        this.box.style.setProperty("--size", this.font_size(source));
         source.lines.forEach((text, k) => {
             const here = source.first + k === line;
             const parts = here && columns ? this.lit(source, line, columns)
-                                          : [text || " "];
+                                          : [text.trimStart() || " "];
+            const indent = Math.min(text.search(/\S|$/), 16);
             this.box.append(html(
                 "div", { class: here ? "line current" : "line",
                          "data-line": source.first + k,
-                         style: `--indent: ${text.search(/\S|$/)}ch` },
+                         style: `--indent: ${indent}ch` },
                 html("code", {}, ...parts)));
         });
         const lit = this.box.querySelector(".current") ||
@@ -114,6 +123,6 @@ class CodePicture {
 
     lit(source, line, columns) {
         const [before, expression, after] = source.split(line, columns);
-        return [before, html("mark", {}, expression), after];
+        return [before.trimStart(), html("mark", {}, expression), after];
     }
 }

@@ -31,6 +31,11 @@ function edges_of(table, faces) {
     return [...found.values()];
 }
 
+function neighbours(v, edges) {
+    return edges.filter((edge) => edge.includes(v))
+        .map(([a, b]) => (a === v ? b : a));
+}
+
 /** [[face, [half-edges of its loop]], ...] of the loops that close. */
 function face_loops(table) {
     const loops = new Map();
@@ -60,6 +65,7 @@ class MeshPicture {
         this.table = table;
         this.faces = faces;
         this.flat = flat_layout(points, faces, edges_of(table, faces));
+        this.point_count = points.length;
         this.state = {};
         place.classList.add("mesh-picture");
         place.addEventListener("click", (event) => this.pick(event));
@@ -80,10 +86,22 @@ class MeshPicture {
         const edges = edges_of(table, []);
         const known = this.flat.length;
         for (const v of new Set(edges.flat().filter((v) => v >= known))) {
-            const others = edges.filter((edge) => edge.includes(v))
-                .map(([a, b]) => (a === v ? b : a)).filter((o) => o < known);
-            this.flat[v] = others.length ? mean(others, this.flat) : [0, 0];
+            const others = neighbours(v, edges).filter((o) => o < known);
+            this.flat[v] = others.length > 1 ? mean(others, this.flat)
+                : others.length ? this.outside(others[0], edges, known)
+                : [0, 0];
         }
+    }
+
+    /** For a vertex at the end of a loose edge: away from all others. */
+    outside(v, edges, known) {
+        const others = neighbours(v, edges).filter((o) => o < known);
+        const [x, y] = this.flat[v];
+        if (!others.length) return [x + 1, y];
+        const length = others.reduce((sum, o) => sum + Math.hypot(
+            ...subtract(this.flat[o], this.flat[v])), 0) / others.length;
+        const [ux, uy] = unit(subtract([x, y], mean(others, this.flat)));
+        return [x + 0.8 * length * ux, y + 0.8 * length * uy];
     }
 
     /**
@@ -113,6 +131,7 @@ class MeshDrawing {
     constructor(picture, table, frame) {
         this.state = picture.state;
         this.faces = picture.faces;
+        this.point_count = picture.point_count;
         this.table = table;
         this.frame = frame;
         this.font = parseFloat(getComputedStyle(picture.place).fontSize);
@@ -145,7 +164,7 @@ class MeshDrawing {
         const middle = lengths[lengths.length >> 1] || 100;
         const digits = String(this.at.length - 1).length;
         this.radius = this.font * (0.45 + 0.33 * digits);
-        this.dense = middle < 2 * this.radius + 2.2 * this.font;
+        this.dense = middle < 2 * this.radius + 1.6 * this.font;
         const thin = Math.max(0.3, Math.min(1, middle / (6 * this.font)));
         this.offset = 0.42 * this.font * thin;
         this.head = 0.8 * this.font * thin;
@@ -249,6 +268,7 @@ class MeshDrawing {
         const lit = new Set(this.state.vertices);
         const used = new Set(this.edges.flat());
         this.at.forEach((p, v) => {
+            if (v >= this.point_count && !used.has(v)) return;
             const group = svg("g", { class: "vertex" +
                 (lit.has(v) ? " lit" : "") + (used.has(v) ? "" : " unused") },
                 layer);

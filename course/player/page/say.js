@@ -90,12 +90,22 @@ function say_condition(walk, text, line, { variables }) {
 function say_end(walk) {
     if (walk.error) return { main: walk.error, more: "" };
     const result = value_text(walk.result);
-    const wrong = walk.expected !== undefined &&
-        JSON.stringify(walk.expected) !== JSON.stringify(walk.result);
-    if (wrong)
-        return { main: `returns ${result}, expected ` +
-                     value_text(walk.expected), more: "" };
-    return { main: `returns ${result}`, more: say_why_ended(walk) };
+    if (walk.expected === undefined || same_result(walk.expected, walk.result))
+        return { main: `returns ${result}`, more: say_why_ended(walk) };
+    const expected = value_text(walk.expected);
+    return Array.isArray(walk.expected)
+        ? { main: `returns ${result}`,
+            more: `The reference returns ${expected}.` }
+        : { main: `returns ${result}, expected ${expected}`, more: "" };
+}
+
+/** Equal, or the same list begun at another place. */
+function same_result(a, b) {
+    const [left, right] = [a, b].map((x) => JSON.stringify(x));
+    if (left === right) return true;
+    if (!Array.isArray(a) || !Array.isArray(b)) return false;
+    return b.some((x, k) =>
+        JSON.stringify([...b.slice(k), ...b.slice(0, k)]) === left);
 }
 
 /** A walk ends when it is back where it began: say it when it is so. */

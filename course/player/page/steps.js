@@ -8,8 +8,8 @@ const value_kinds = ["V", "F", "H", "H"];
 function value_text(value) {
     if (value === null) return "nothing";
     if (!Array.isArray(value)) return String(value);
-    if (Array.isArray(value[0]) && value.length > 4)
-        return `a list of ${value.length}`;
+    if (value.length > 4 && value.every((row) => row?.length === 4))
+        return `a table of ${value.length} rows`;
     return "[" + value.map(value_text).join(", ") + "]";
 }
 
@@ -44,7 +44,7 @@ class Walk {
             variables: new Map(), seen: [], changed: new Set(), flags: {} };
         const last = Math.min(k, this.steps.length);
         for (let j = 1; j <= last; ++j) this.apply(this.steps[j - 1], state);
-        if (this.starts_at_half_edge) state.start = this.start;
+        state.start = this.start_mark(state.variables);
         if (k > 0) this.light(this.step(k), state);
         if (this.is_last(k)) this.light_end(state);
         state.line = this.step(k).l || 0;
@@ -89,6 +89,12 @@ class Walk {
     has_locals() {
         this.locals_seen ??= this.steps.some((step) => step.d);
         return this.locals_seen;
+    }
+
+    /** A variable of the name `start` has the last word. */
+    start_mark(variables) {
+        const own = this.starts_at_half_edge ? this.start : undefined;
+        return (variables.get("start") || { value: own }).value;
     }
 
     /** What the step itself reads or writes. */

@@ -43,9 +43,11 @@ class TablePicture {
     row(cells, h, state) {
         const flags = (state.flags[h] || []).map((name) =>
             html("b", { class: "flag" }, name));
-        const head = html("th", { scope: "row" }, ...flags, "H" + h);
+        const head = html("th", { scope: "row" },
+                          html("div", {}, ...flags, "H" + h));
         return html("tr", { class: this.classes(h, state), "data-row": h },
-                    head, ...cells.map((value, f) => this.cell(value, h, f, state)));
+                    head, ...cells.map((value, f) =>
+                        this.cell(value, h, f, state)));
     }
 
     classes(h, { current, next, opp, seen, half_edges = [] }) {
@@ -63,7 +65,8 @@ class TablePicture {
             return html("td", changed.has(h + "," + f)
                 ? { class: "changed" } : {}, String(value));
         const cell = html("td", { class: "cell" });
-        if (old !== undefined) cell.append(html("s", {}, String(old)), " ");
+        if (old !== undefined)
+            cell.append(html("s", {}, String(old)), html("br"));
         cell.append(String(shown ?? value));
         return cell;
     }

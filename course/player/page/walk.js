@@ -257,7 +257,7 @@ class WalkPage {
     say({ main, more }) {
         at_id("main").textContent = main;
         at_id("more").textContent = more;
-        at_id("say").className = main.length > 46 ? "long" : "";
+        at_id("say").className = main.length > 44 ? "long" : "";
     }
 
     show_score() {

@@ -94,17 +94,21 @@ class CodePicture {
         box.classList.add("code-picture");
     }
 
-    /** Large letters for short lines; in hundredths, the --u of base.css. */
-    font_size(source) {
+    /** As large as lets the lines fit, not below the size of the style. */
+    fit(source) {
         const inner = source.plain.filter((text) => /^\s/.test(text));
-        const longest = Math.max(20, ...inner.map((t) => t.trimEnd().length));
-        return Math.max(1.78, Math.min(2.3, 64 / (longest + 1))).toFixed(2);
+        const longest = Math.max(...inner.map((t) => t.trimEnd().length), 20);
+        this.box.style.fontSize = "";
+        const least = parseFloat(getComputedStyle(this.box).fontSize);
+        const fitting = this.box.clientWidth / (0.61 * longest + 2);
+        this.box.style.fontSize =
+            Math.max(least, Math.min(fitting, 1.25 * least)) + "px";
     }
 
     /** line 0: none is lit; columns: [from, to) of the lit expression. */
     show(source, line, columns) {
         this.box.textContent = "";
-        this.box.style.setProperty("--size", this.font_size(source));
+        this.fit(source);
         source.lines.forEach((text, k) => {
             const here = source.first + k === line;
             const parts = here && columns ? this.lit(source, line, columns)

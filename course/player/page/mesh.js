@@ -151,7 +151,7 @@ class MeshDrawing {
             Math.max(1e-9, [x, y][d][1] - [x, y][d][0]));
         // Stretched a little where there is room: the labels need it.
         const scale = fits.map((fit) =>
-            Math.min(fit, 1.35 * Math.min(...fits)));
+            Math.min(fit, 1.45 * Math.min(...fits)));
         this.at = flat.map((p) => [
             this.frame.width / 2 + scale[0] * (p[0] - (x[0] + x[1]) / 2),
             this.frame.height / 2 - scale[1] * (p[1] - (y[0] + y[1]) / 2)]);

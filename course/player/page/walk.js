@@ -46,6 +46,7 @@ class WalkPage {
         this.make_controls();
         this.open_link();
         addEventListener("hashchange", () => this.open_link());
+        addEventListener("resize", () => this.draw(this.stepper.k));
     }
 
     make_controls() {
@@ -231,9 +232,10 @@ class WalkPage {
         if (this.room.verdict) words.more = this.say_verdict(state);
         if (this.typed) words.more = `H${this.typed} … Enter`;
         this.say(words);
+        // The variables first: how much room they leave decides the rest.
+        this.show_variables(state, this.walk.step(k), k);
         this.panes[0].show(this.walk, state);
         this.table.show(state);
-        this.show_variables(state, this.walk.step(k), k);
     }
 
     /** The state before the read, with the cell that is asked for. */
@@ -257,7 +259,11 @@ class WalkPage {
     say({ main, more }) {
         at_id("main").textContent = main;
         at_id("more").textContent = more;
-        at_id("say").className = main.length > 44 ? "long" : "";
+        const box = at_id("say");
+        for (const size of [3.6, 2.9, 2.4, 2, 1.7]) {  // --u's
+            at_id("main").style.fontSize = `calc(${size} * var(--u))`;
+            if (box.scrollHeight <= box.clientHeight) break;
+        }
     }
 
     show_score() {

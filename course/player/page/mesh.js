@@ -64,8 +64,8 @@ class MeshPicture {
         this.on_pick = null;
         this.table = table;
         this.faces = faces;
-        this.flat = flat_layout(points, faces, edges_of(table, faces));
-        this.point_count = points.length;
+        this.points = points;
+        this.flat = null;
         this.state = {};
         place.classList.add("mesh-picture");
         place.addEventListener("click", (event) => this.pick(event));
@@ -78,11 +78,32 @@ class MeshPicture {
             this.on_pick(Number(element.dataset.halfEdge));
     }
 
+    /** Shows the whole mesh. */
+    show_all() {
+        this.whole ??= flat_layout(this.points, this.faces,
+                                   edges_of(this.table, this.faces));
+        this.flat = [...this.whole];
+    }
+
+    /** Of a large mesh only the faces round these half-edges. */
+    focus_on(half_edges) {
+        const near = new Set(half_edges.flatMap((h) =>
+            this.table[h] ? [this.table[h][0], tip_of(this.table, h)] : []));
+        const faces = this.faces.filter((f) => f.some((v) => near.has(v)));
+        if (this.table.length < 150 || !faces.length ||
+            faces.length > this.faces.length / 2) return this.show_all();
+        const edges = edges_of([], faces);
+        const used = new Set(edges.flat());
+        this.flat = flat_layout(this.points, faces, edges)
+            .map((p, v) => (used.has(v) ? p : null));
+    }
+
     /**
      * Gives vertices of `table` that have no point yet a place amid their
      * neighbours. For tables that are edited: call it with the last one.
      */
     remember(table) {
+        if (!this.flat) this.show_all();
         const edges = edges_of(table, []);
         const known = this.flat.length;
         for (const v of new Set(edges.flat().filter((v) => v >= known))) {
@@ -131,11 +152,12 @@ class MeshDrawing {
     constructor(picture, table, frame) {
         this.state = picture.state;
         this.faces = picture.faces;
-        this.point_count = picture.point_count;
+        this.point_count = picture.points.length;
         this.table = table;
         this.frame = frame;
         this.font = parseFloat(getComputedStyle(picture.place).fontSize);
-        this.edges = edges_of(table, picture.faces);
+        this.edges = edges_of(table, picture.faces).filter((edge) =>
+            edge.every((v) => picture.flat[v]));
         this.fit(picture.flat);
         this.measure();
         this.layer = (name) => svg("g", { class: name }, picture.place);
@@ -144,7 +166,7 @@ class MeshDrawing {
 
     /** this.at: the places of the vertices in the frame. */
     fit(flat) {
-        const [x, y] = extent(flat);
+        const [x, y] = extent(flat.filter(Boolean));
         const margin = [this.font * 3, this.font * 2.5];
         const fits = [this.frame.width, this.frame.height].map((size, d) =>
             Math.max(1, size - 2 * margin[d]) /
@@ -152,7 +174,7 @@ class MeshDrawing {
         // Stretched a little where there is room: the labels need it.
         const scale = fits.map((fit) =>
             Math.min(fit, 1.45 * Math.min(...fits)));
-        this.at = flat.map((p) => [
+        this.at = flat.map((p) => p && [
             this.frame.width / 2 + scale[0] * (p[0] - (x[0] + x[1]) / 2),
             this.frame.height / 2 - scale[1] * (p[1] - (y[0] + y[1]) / 2)]);
     }
@@ -268,7 +290,7 @@ class MeshDrawing {
         const lit = new Set(this.state.vertices);
         const used = new Set(this.edges.flat());
         this.at.forEach((p, v) => {
-            if (v >= this.point_count && !used.has(v)) return;
+            if (!p || (v >= this.point_count && !used.has(v))) return;
             const group = svg("g", { class: "vertex" +
                 (lit.has(v) ? " lit" : "") + (used.has(v) ? "" : " unused") },
                 layer);
@@ -282,32 +304,49 @@ class MeshDrawing {
 
     /** All that have a role first; in a dense mesh only what is near them. */
     draw_labels() {
-        const { current, next, opp, flags = {}, half_edges = [] } = this.state;
+        const { current, next, opp, flags = {}, half_edges = [],
+                seen = [] } = this.state;
         this.labels.lines = this.arrows.filter(Boolean);
         const chosen = [current, next, opp, ...Object.keys(flags).map(Number),
-                        ...half_edges].filter((h) => this.arrows[h]);
+                        ...half_edges, ...seen].filter((h) => this.arrows[h]);
         const first = new Set(chosen);
         const by_length = [...this.labels.lines].sort((a, b) =>
             a.length - b.length || a.h - b.h);
         this.boxes = new Map();
-        if (this.dense)
-            for (const v of this.state.vertices || []) this.label_vertex(v);
-        if (this.dense) this.label_half_edges([...first]);
-        else if (!this.label_half_edges(by_length.map(({ h }) => h))) {
-            this.relabel([...first], by_length.map(({ h }) => h));
-        }
+        if (this.dense) this.label_some([...first]);
+        else this.label_all(by_length.map(({ h }) => h), [...first]);
         this.draw_boxes();
         this.draw_flags(flags);
         this.draw_face_labels();
     }
 
-    /** Not all fit: those with a role get their places before the others. */
-    relabel(first, all) {
-        for (const box of this.boxes.values())
-            this.labels.taken.splice(this.labels.taken.indexOf(box), 1);
-        this.boxes.clear();
+    /** In a dense mesh: these half-edges and the vertices that they leave. */
+    label_some(half_edges) {
+        const lit = new Set(this.state.vertices);
+        lit.forEach((v) => this.label_vertex(v, "vertex-label lit"));
+        this.label_half_edges(half_edges);
+        for (const v of new Set(half_edges.map((h) => this.table[h][0])))
+            if (!lit.has(v)) this.label_vertex(v, "vertex-label");
+    }
+
+    /** Those that found no place get theirs first in the next attempt. */
+    label_all(order, first) {
+        for (let attempt = 0; attempt < 8; ++attempt) {
+            this.clear_labels();
+            if (this.label_half_edges(order)) return;
+            const placed = (h) => this.boxes.has(h);
+            order = [...order.filter((h) => !placed(h)),
+                     ...order.filter(placed)];
+        }
+        this.clear_labels();
         this.label_half_edges(first);
-        this.label_half_edges(all.filter((h) => !this.boxes.has(h)));
+        this.label_half_edges(order.filter((h) => !this.boxes.has(h)));
+    }
+
+    clear_labels() {
+        const mine = new Set(this.boxes.values());
+        this.labels.taken = this.labels.taken.filter((b) => !mine.has(b));
+        this.boxes.clear();
     }
 
     /** Whether all have found a place. */
@@ -335,7 +374,7 @@ class MeshDrawing {
         return places;
     }
 
-    label_vertex(v) {
+    label_vertex(v, classes) {
         const [x, y] = this.at[v] || [];
         if (x === undefined) return;
         const side = 2 * this.radius;
@@ -343,7 +382,7 @@ class MeshDrawing {
             { x, y, w: side, h: side },
             text_width("V" + v, this.font) + 0.3 * this.font,
             1.2 * this.font));
-        if (box) this.draw_box(box, "V" + v, "vertex-label lit");
+        if (box) this.draw_box(box, "V" + v, classes);
     }
 
     draw_boxes() {

@@ -28,6 +28,16 @@ class Walk {
                 this.code.first_parameter(this.call.split("(")[0]));
     }
 
+    /** Half-edges that it reads or writes, and where they lead. */
+    visited() {
+        const found = new Set(this.starts_at_half_edge ? [this.start] : []);
+        for (const { i, f, v } of this.steps) {
+            if (i >= 0) found.add(i);
+            if (f >= 2 && v >= 0) found.add(v);
+        }
+        return [...found];
+    }
+
     is_last(k) {
         return k === this.count - 1;
     }

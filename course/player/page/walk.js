@@ -22,7 +22,7 @@ class Pane {
 
     /** A new walk: new vertices get their places. */
     begin(walk) {
-        this.mesh.flat.length = walk.recording.mesh.points.length;
+        this.mesh.focus_on(walk.visited());
         this.mesh.remember(walk.state(walk.count - 1).table);
     }
 

@@ -20,26 +20,13 @@ class Source {
         return [[0, from - 1], [from - 1, to - 1], [to - 1]].map(
             (range) => new TextDecoder().decode(bytes.slice(...range)));
     }
-
-    /** The inner variable that hides an outer one of this name at the line. */
-    shadow(name, line) {
-        return this.shadows.find((s) =>
-            s.name === name && s.line <= line && line < s.end);
-    }
-
-    /** The name of the first int that the function gets; "" if none. */
-    first_parameter(function_name) {
-        const head = this.plain.join(" ").match(
-            new RegExp("\\b" + function_name + "\\(([^)]*)\\)\\s*{"));
-        const names = head ? head[1].match(/\bint\s+(\w+)/) : null;
-        return names ? names[1] : "";
-    }
 }
 
-/** Names of variables that hold half-edges: he[X], then A = X, A != X... */
+/** Names of variables that hold half-edges: he[X].vi, then A = X, A != X. */
 function half_edge_names(text) {
     const names = new Set();
-    for (const [, name] of text.matchAll(/\w\[(\w+)\]\s*\.?/g)) names.add(name);
+    for (const [, name] of text.matchAll(/\w\[(\w+)\]\.(?:vi|fi|next|opp)\b/g))
+        names.add(name);
     for (const [, name] of text.matchAll(/(\w+)\s*=[^=;]*\.(?:next|opp);/g))
         names.add(name);
     for (let size = -1; size !== names.size;) {
@@ -55,7 +42,7 @@ function half_edge_names(text) {
 
 /**
  * Declarations of a name that an outer scope of the same function has, too:
- * [{name, line, end}], from the line of the declaration to before `end`.
+ * [{name, line}].
  */
 function find_shadows(lines, first) {
     const declaration =
@@ -72,15 +59,14 @@ function find_shadows(lines, first) {
                 scopes.push(pending);
                 pending = [];
             } else if (token === "}") {
-                for (const s of scopes.pop() || [])
-                    if (s.outer) shadows.push({
-                        ...s, end: Math.max(first + k, s.line + 1) });
+                scopes.pop();
             } else if (token === ";") {
                 if (!parentheses) pending = [];
             } else {
-                const outer = scopes.flat().some((s) => s.name === name);
+                if (scopes.flat().includes(name))
+                    shadows.push({ name, line: first + k });
                 (parentheses ? pending : scopes[scopes.length - 1] || [])
-                    .push({ name, line: first + k, outer });
+                    .push(name);
             }
         }
     });

@@ -44,7 +44,7 @@ class Comparison {
     say(k) {
         if (this.parting < 0 || k < this.parting) return "The same so far";
         const [a, b] = this.walks.map(({ recording, source }) =>
-            recording.sources[source].label);
+            recording.sources[source].label.replace(/^ref/, "the ref"));
         const after = k - this.parting;
         return after ? `They parted ${after} step${after > 1 ? "s" : ""} ago`
             : `They part here: ${b} ${this.deed(1, k)}, ` +

@@ -179,11 +179,12 @@ function flat_layout(points, faces, edges) {
     const solid = points.map((p) => [p[0], p[1], p[2] || 0]);
     const from_above = seen_from(solid, [0, 0, 1]);
     if (!edges.length || edges.length > 900) return from_above;
+    const enough = solid.every((p) => p[2] === solid[0][2]) ? 1 : 0.45;
     let best = null;
     for (const flat of layouts(solid, faces, edges)) {
         const cost = layout_cost(flat, edges, faces);
         if (!best || cost < best.cost) best = { flat, cost };
-        if (cost < 1) break;
+        if (cost < enough) break;
     }
     return best.flat;
 }

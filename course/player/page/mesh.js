@@ -133,7 +133,7 @@ class MeshPicture {
      *   seen          half-edges that were visited
      *   half_edges, vertices, faces      those that are lit
      *   flags         {h: [names]}: signs at half-edges, names of variables
-     *   start         half-edge that has the mark of the start
+     *   outline       true: the edges of `faces` are drawn, too
      */
     show(state) {
         this.state = state;
@@ -252,7 +252,8 @@ class MeshDrawing {
     }
 
     draw_edges(layer) {
-        for (const [a, b] of this.edges)
+        const outline = this.state.outline ? edges_of([], this.faces) : [];
+        for (const [a, b] of [...outline, ...this.edges])
             svg("path", { class: "edge", d: `M${this.at[a]}L${this.at[b]}` },
                 layer);
     }

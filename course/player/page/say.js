@@ -3,19 +3,18 @@
 
 function say_state(walk, k, state) {
     if (k === 0) return say_call(walk);
-    if (walk.is_last(k)) return say_end(walk);
+    if (walk.is_last(k)) return say_end(walk, state);
     const step = walk.step(k);
     if (step.i === undefined) return say_line(walk, step, state);
-    const skipped = walk.skipped && k === walk.steps.length
-        ? `${walk.skipped} reads later. ` : "";
     return { main: say_access(walk, step),
-             more: skipped + say_meaning(walk, step, state) };
+             more: say_meaning(walk, step, state) };
 }
 
 function say_call(walk) {
+    const kind = { "half-edge": "H", vertex: "V", face: "F" };
+    const letter = kind[walk.recording.starts];
     return { main: walk.call,
-             more: walk.starts_at_half_edge
-                 ? `The walk starts at H${walk.start}.` : "" };
+             more: letter ? `The walk starts at ${letter}${walk.start}.` : "" };
 }
 
 /** he[4].next, as the source calls the table. */
@@ -29,8 +28,7 @@ function say_access(walk, step) {
     const { i, f, v, w } = step;
     if (step.new) return `Row H${i} is new: ${step.new.join(", ")}`;
     const what = access_text(walk, step);
-    if (f === undefined)
-        return `${what} is ${w === undefined ? "read" : "written"}`;
+    if (f === undefined) return `${what} is read`;
     if (w !== undefined) return `${what} becomes ${v} (was ${w})`;
     return `${what} is ${v}` + (v < 0 ? "" : ` – ${value_kinds[f]}${v}`);
 }
@@ -42,16 +40,16 @@ function say_meaning(walk, step, state) {
     if (w === undefined && f === 1 && v < 0) parts.push("no face: border");
     if (f >= 2 && v === state.start && w === undefined)
         parts.push(`H${v} is the start`);
-    parts.push(...say_changes(walk, step, state));
+    parts.push(...say_changes(step, state));
     return parts.join(" · ");
 }
 
-function say_changes(walk, { l, d = {} }, state) {
-    return Object.entries(d).filter(([, value]) => value !== null)
-        .slice(0, 3).map(([name, value]) => {
-            const outer = walk.code.shadow(name, l) &&
-                state.variables.get(name);
+function say_changes({ d = {} }, { variables }) {
+    return Object.keys(d).filter((key) => variables.has(key))
+        .slice(0, 3).map((key) => {
+            const { name, value, line } = variables.get(key);
             const text = `${name} = ${value_text(value)}`;
+            const outer = line && variables.get(name);
             return outer ? `a second ${text}; the outer ${name} stays ` +
                 value_text(outer.value) : text;
         });
@@ -61,7 +59,7 @@ function say_line(walk, step, state) {
     const text = walk.code.text(step.l).trim().replace(/\s*\/\/.*/, "");
     return { main: `line ${step.l}: ${text}`,
              more: say_condition(walk, text, step.l, state) ||
-                 say_changes(walk, step, state).join(" · ") };
+                 say_changes(step, state).join(" · ") };
 }
 
 const comparisons = {
@@ -87,16 +85,34 @@ function say_condition(walk, text, line, { variables }) {
     return `${values}: ${sign === "!=" ? "the same, " : ""}the loop ends`;
 }
 
-function say_end(walk) {
-    if (walk.error) return { main: walk.error, more: "" };
+function say_end(walk, state) {
+    const left_out = walk.skipped
+        ? ` ${walk.skipped} more reads are not shown.` : "";
+    if (walk.error)
+        return { main: walk.error, more: say_why_stopped(walk, state) +
+                     left_out };
     const result = value_text(walk.result);
-    if (walk.expected === undefined || same_result(walk.expected, walk.result))
-        return { main: `returns ${result}`, more: say_why_ended(walk) };
-    const expected = value_text(walk.expected);
-    return Array.isArray(walk.expected)
-        ? { main: `returns ${result}`,
-            more: `The reference returns ${expected}.` }
-        : { main: `returns ${result}, expected ${expected}`, more: "" };
+    return { main: `returns ${result}`,
+             more: (say_difference(walk) || say_why_ended(walk)) + left_out };
+}
+
+/** A declaration that hides a variable of the same name is a likely cause. */
+function say_why_stopped(walk, { line, variables }) {
+    if (walk.expected_error) return "The reference stops here, too.";
+    const shadow = walk.code.shadows.find((s) => s.line === line);
+    if (!shadow) return "";
+    const outer = variables.get(shadow.name);
+    return `Line ${line} declares a second ${shadow.name}, with no value yet` +
+        (outer ? `; the outer one is ${value_text(outer.value)}.` : ".");
+}
+
+/** What the reference does otherwise; "" when it does the same. */
+function say_difference({ result, expected, expected_error }) {
+    if (expected_error) return `The reference stops: ${expected_error}`;
+    if (expected === undefined || same_result(expected, result)) return "";
+    const text = value_text(expected);
+    return Array.isArray(expected) ? `The reference returns ${text}.`
+                                   : `Expected: ${text}.`;
 }
 
 /** Equal, or the same list begun at another place. */
@@ -112,6 +128,7 @@ function same_result(a, b) {
 function say_why_ended(walk) {
     const accesses = walk.steps.filter((step) => step.i !== undefined);
     const { f, v } = accesses[accesses.length - 1] || {};
-    return walk.starts_at_half_edge && f >= 2 && v === walk.start &&
-        accesses.length > 1 ? `The walk is back at the start, H${v}.` : "";
+    const is_back = !walk.skipped && walk.starts_at_half_edge && f >= 2 &&
+        v === walk.start && accesses.length > 1;
+    return is_back ? `The walk is back at the start, H${v}.` : "";
 }

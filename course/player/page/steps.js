@@ -23,9 +23,7 @@ class Walk {
         this.recording = recording;
         this.code = recording.code[walk.source];
         this.count = walk.steps.length + 2;
-        this.starts_at_half_edge = this.start !== null &&
-            this.start !== undefined && this.code.half_edge_names.has(
-                this.code.first_parameter(this.call.split("(")[0]));
+        this.starts_at_half_edge = recording.starts === "half-edge";
     }
 
     /** Half-edges that it reads or writes, and where they lead. */
@@ -51,11 +49,15 @@ class Walk {
     state(k) {
         const state = {
             table: (this.table || this.recording.mesh.table).map((r) => [...r]),
-            variables: new Map(), seen: [], changed: new Set(), flags: {} };
+            variables: new Map(), seen: [], changed: new Set(),
+            new_rows: new Set(), flags: {},
+            outline: Boolean(this.table) };
         const last = Math.min(k, this.steps.length);
         for (let j = 1; j <= last; ++j) this.apply(this.steps[j - 1], state);
         state.start = this.start_mark(state.variables);
         if (k > 0) this.light(this.step(k), state);
+        else if (this.recording.starts === "vertex")
+            state.vertices = [this.start];
         if (this.is_last(k)) this.light_end(state);
         state.line = this.step(k).l || 0;
         state.columns = this.is_last(k) && !this.error ? null
@@ -67,30 +69,26 @@ class Walk {
     apply(step, state) {
         const { i, f, v, w } = step;
         if (step.new) state.table[i] = [...step.new];
-        else if (w !== undefined && state.table[i]) {
-            if (f === undefined) state.table[i] = [...v];
-            else state.table[i][f] = v;
-        }
-        if (w !== undefined || step.new)
-            for (const g of f === undefined ? [0, 1, 2, 3] : [f])
-                state.changed.add(i + "," + g);
+        else if (w !== undefined && state.table[i]) state.table[i][f] = v;
+        if (step.n !== undefined) state.table.length = step.n;
+        if (w !== undefined) state.changed.add(i + "," + f);
+        if (step.new) state.new_rows.add(i);
         if (i !== undefined && i >= 0 && !state.seen.includes(i))
             state.seen.push(i);
         this.set_variables(step, state.variables);
     }
 
-    /** A variable that hides another one has a place of its own. */
+    /**
+     * A variable that hides another one has a name of its own,
+     * "i (line 12)". Without locals there are those that index the table.
+     */
     set_variables(step, variables) {
         const { l, i, c, d = {} } = step;
-        for (const [key, { line, end }] of variables)
-            if (line && (l < line || l >= end)) variables.delete(key);
-        const set = (name, value) => {
-            const shadow = this.code.shadow(name, l);
-            const key = shadow ? name + "@" + shadow.line : name;
+        for (const [key, value] of Object.entries(d)) {
+            const [, name, line] = key.match(/^(.*?)(?: \(line (\d+)\))?$/);
             if (value === null) variables.delete(key);
-            else variables.set(key, { name, value, ...shadow, step });
-        };
-        for (const name in d) set(name, d[name]);
+            else variables.set(key, { name, value, line, step });
+        }
         if (this.has_locals() || !c || i === undefined) return;
         const index = this.code.split(l, c)[1].match(/\[([a-z_]\w*)\]/);
         if (index) variables.set(index[1], { name: index[1], value: i, step });

@@ -31,6 +31,7 @@ class TablePicture {
      *   value     what this cell shows ("?" for a question)
      *   old       the value before, of a write
      *   changed   set of "row,field": cells that were written before
+     *   new_rows  set of rows that were added
      */
     show(state) {
         this.body.textContent = "";
@@ -50,8 +51,8 @@ class TablePicture {
                         this.cell(value, h, f, state)));
     }
 
-    classes(h, { current, next, opp, seen, half_edges = [] }) {
-        const roles = [];
+    classes(h, { current, next, opp, seen, new_rows, half_edges = [] }) {
+        const roles = new_rows.has(h) ? ["new"] : [];
         if (seen.includes(h)) roles.push("seen");
         if (half_edges.includes(h)) roles.push("lit");
         if (h === next) roles.push("next");

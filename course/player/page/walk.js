@@ -58,12 +58,20 @@ class WalkPage {
         at_id("title").textContent = this.recording.title;
         this.panes[0].mesh.on_pick = this.table.on_pick = (h) => this.pick(h);
         this.fill_source_list();
-        at_id("start").onchange = () =>
-            this.open(this.walks[Number(at_id("start").value)], 0);
-        at_id("source").onchange = () => this.change_source();
+        this.on_choice(at_id("start"), (value) =>
+            this.restart(this.walks[value]));
+        this.on_choice(at_id("source"), () => this.change_source());
         this.predict_button = this.add_button("predict", "q");
         this.compare_button = this.add_button("compare", "c");
         this.compare_button.hidden = this.recording.sources.length < 2;
+    }
+
+    /** After a choice with the mouse the arrow keys step again. */
+    on_choice(list, run) {
+        list.onchange = () => {
+            run(list.value);
+            if (!list.matches(":focus-visible")) list.blur();
+        };
     }
 
     add_button(text, key) {
@@ -130,6 +138,13 @@ class WalkPage {
         this.stepper.reset(walk.count, k);
     }
 
+    /** From its first step on; two walks are still compared then. */
+    restart(walk) {
+        const comparing = this.comparison;
+        this.open(walk, 0);
+        if (comparing) this.compare();
+    }
+
     /** The same start in the other file, at the same place in the walk. */
     change_source() {
         const source = (this.walk.source + 1) % this.recording.sources.length;
@@ -140,8 +155,10 @@ class WalkPage {
 
     pick(h) {
         if (this.room.question) return this.answer(h);
-        const walk = this.find(this.walk.source, h);
-        if (walk) this.open(walk, 0);
+        const at_vertex = this.recording.starts === "vertex";
+        const start = at_vertex ? (this.recording.mesh.table[h] || [])[0] : h;
+        const walk = this.find(this.walk.source, start);
+        if (walk) this.restart(walk);
     }
 
     type(digit) {
@@ -160,7 +177,8 @@ class WalkPage {
         const other = this.walks.find((w) => w.source !== this.walk.source &&
                                              w.start === this.walk.start);
         if (this.comparison || !other) return this.open(this.walk, 0);
-        if (!this.panes[1]) this.panes[1] = new Pane(this.recording);
+        this.panes[1] ??= new Pane(this.recording);
+        this.panes[1].mesh.on_pick = this.panes[0].mesh.on_pick;
         const pair = [this.walk, other].sort((a, b) => a.source - b.source);
         this.forget_question();
         this.comparison = new Comparison(...pair);
@@ -260,7 +278,7 @@ class WalkPage {
         at_id("main").textContent = main;
         at_id("more").textContent = more;
         const box = at_id("say");
-        for (const size of [3.6, 2.9, 2.4, 2, 1.7]) {  // --u's
+        for (const size of [3.6, 2.9, 2.5, 2.2, 1.9, 1.7]) {  // --u's
             at_id("main").style.fontSize = `calc(${size} * var(--u))`;
             if (box.scrollHeight <= box.clientHeight) break;
         }

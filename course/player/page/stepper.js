@@ -168,9 +168,11 @@ class Stepper {
             if (!rows.has(text)) rows.set(text, []);
             rows.get(text).push(html("kbd", {}, names[key] || key), " ");
         }
-        for (const [text, keys] of rows)
+        for (const [text, keys] of rows) {
+            if (keys.length > 8) keys.splice(2, keys.length - 4, "to ");
             table.append(html("tr", {}, html("td", {}, ...keys),
                               html("td", {}, text)));
+        }
         const close = html("form", { method: "dialog" },
                            html("button", {}, "close"));
         this.help = html("dialog", { "aria-label": "keys" }, table, close);

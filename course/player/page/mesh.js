@@ -407,7 +407,7 @@ class MeshDrawing {
             const text = names.join(" ");
             const box = this.labels.place(around_box(
                 own, text_width(text, this.font) + 0.4 * this.font,
-                1.15 * this.font));
+                1.3 * this.font));
             if (box) this.draw_box(box, text, "flag");
         }
     }

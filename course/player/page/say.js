@@ -87,32 +87,39 @@ function say_condition(walk, text, line, { variables }) {
 
 function say_end(walk, state) {
     const left_out = walk.skipped
-        ? ` ${walk.skipped} more reads are not shown.` : "";
-    if (walk.error)
-        return { main: walk.error, more: say_why_stopped(walk, state) +
-                     left_out };
-    const result = value_text(walk.result);
-    return { main: `returns ${result}`,
-             more: (say_difference(walk) || say_why_ended(walk)) + left_out };
+        ? `${walk.skipped} more reads are not shown.` : "";
+    const more = (...parts) => parts.filter(Boolean).join(" ");
+    const { error, result, expected, expected_error } = walk;
+    if (error)
+        return { main: error,
+                 more: more(expected_error && "The reference stops, too.",
+                            say_shadow(walk, state), left_out) };
+    const main = `returns ${value_text(result)}`;
+    if (!differs(walk))
+        return { main, more: more(say_why_ended(walk), left_out) };
+    const hint = more(say_shadow(walk, state), left_out);
+    if (expected_error)
+        return { main, more: more(`The reference: ${expected_error}`, hint) };
+    const other = value_text(expected);
+    return Array.isArray(expected)
+        ? { main, more: more(`The reference returns ${other}.`, hint) }
+        : { main: `${main}, expected ${other}`, more: hint };
 }
 
 /** A declaration that hides a variable of the same name is a likely cause. */
-function say_why_stopped(walk, { line, variables }) {
-    if (walk.expected_error) return "The reference stops here, too.";
-    const shadow = walk.code.shadows.find((s) => s.line === line);
+function say_shadow(walk, { variables }) {
+    const shadow = walk.code.shadows.find(({ line }) =>
+        walk.steps.some(({ l }) => l === line));
     if (!shadow) return "";
-    const outer = variables.get(shadow.name);
-    return `Line ${line} declares a second ${shadow.name}, with no value yet` +
-        (outer ? `; the outer one is ${value_text(outer.value)}.` : ".");
+    const { name, line } = shadow;
+    const outer = variables.get(name);
+    return `Line ${line} declares a second ${name}` +
+        (outer ? `; the outer ${name} stays ${value_text(outer.value)}.` : ".");
 }
 
-/** What the reference does otherwise; "" when it does the same. */
-function say_difference({ result, expected, expected_error }) {
-    if (expected_error) return `The reference stops: ${expected_error}`;
-    if (expected === undefined || same_result(expected, result)) return "";
-    const text = value_text(expected);
-    return Array.isArray(expected) ? `The reference returns ${text}.`
-                                   : `Expected: ${text}.`;
+function differs({ result, expected, expected_error }) {
+    return expected_error !== undefined ||
+        (expected !== undefined && !same_result(expected, result));
 }
 
 /** Equal, or the same list begun at another place. */

@@ -122,6 +122,9 @@ class Walk {
     light_end(state) {
         if (this.error) {
             if (this.cycle().length) state.half_edges = this.cycle();
+            // The last value that was read is where a wrong index comes from.
+            if (state.current === undefined)
+                this.light(this.steps.findLast((s) => s.i >= 0) || {}, state);
             return;
         }
         for (const name of ["current", "field", "next", "opp", "old",
@@ -152,9 +155,9 @@ class Walk {
             flags[h] ??= [];
             if (!flags[h].includes(name)) flags[h].push(name);
         };
-        if (start !== undefined) add(start, "start");
         for (const { name, value } of variables.values())
             if (this.code.half_edge_names.has(name)) add(value, name);
+        if (!flags[start]) add(start, "start");
     }
 }
 

@@ -6,6 +6,10 @@
 
 const at_id = (id) => document.getElementById(id);
 
+// Of the large sentence and of what it means, in --u's: the first that fit.
+const say_sizes = [[3.6, 2.6], [3.6, 1.9], [2.9, 1.9], [2.5, 1.9], [2.2, 1.9],
+                   [1.9, 1.9], [1.7, 1.7]];
+
 /** Mesh and source of one walk. */
 class Pane {
     constructor(recording) {
@@ -120,11 +124,18 @@ class WalkPage {
         return this.walks.find((w) => w.source === source && w.start === start);
     }
 
+    /** The longest walk that returns, or else the longest. */
+    longest(source) {
+        const of_source = this.walks.filter((w) => w.source === source);
+        const rank = (w) => (w.error ? 0 : 1e6) + w.count;
+        return of_source.reduce((best, w) => rank(w) > rank(best) ? w : best,
+                                of_source[0] || this.walks[0]);
+    }
+
     open_link() {
         const link = read_link();
         const source = Number(link.source || 0);
-        const walk = this.find(source, Number(link.i)) ||
-            this.walks.find((w) => w.source === source) || this.walks[0];
+        const walk = this.find(source, Number(link.i)) || this.longest(source);
         this.open(walk, Number(link.step || 0));
         if (link.compare) this.compare(Number(link.step || 0));
     }
@@ -278,8 +289,9 @@ class WalkPage {
         at_id("main").textContent = main;
         at_id("more").textContent = more;
         const box = at_id("say");
-        for (const size of [3.6, 2.9, 2.5, 2.2, 1.9, 1.7]) {  // --u's
-            at_id("main").style.fontSize = `calc(${size} * var(--u))`;
+        for (const [large, small] of say_sizes) {
+            at_id("main").style.fontSize = `calc(${large} * var(--u))`;
+            at_id("more").style.fontSize = `calc(${small} * var(--u))`;
             if (box.scrollHeight <= box.clientHeight) break;
         }
     }

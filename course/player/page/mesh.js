@@ -303,22 +303,32 @@ class MeshDrawing {
         });
     }
 
-    /** All that have a role first; in a dense mesh only what is near them. */
+    /** Of a dense mesh only what is near to half-edges with a role. */
     draw_labels() {
+        this.labels.lines = this.arrows.filter(Boolean);
+        this.boxes = new Map();
+        const first = this.half_edges_with_role();
+        const all = [...this.labels.lines].sort((a, b) =>
+            a.length - b.length || a.h - b.h).map(({ h }) => h);
+        const lit = new Set(this.state.faces);
+        if (this.dense) this.label_some(first);
+        else if (lit.size) this.label_half_edges(first);
+        else this.label_all(all, first);
+        this.draw_face_labels((f) => lit.has(f), "face-label lit");
+        if (!this.dense)
+            this.label_half_edges(all.filter((h) => !this.boxes.has(h)));
+        this.draw_boxes();
+        this.draw_flags(this.state.flags || {});
+        if (!this.dense)
+            this.draw_face_labels((f) => !lit.has(f), "face-label");
+    }
+
+    half_edges_with_role() {
         const { current, next, opp, flags = {}, half_edges = [],
                 seen = [] } = this.state;
-        this.labels.lines = this.arrows.filter(Boolean);
-        const chosen = [current, next, opp, ...Object.keys(flags).map(Number),
-                        ...half_edges, ...seen].filter((h) => this.arrows[h]);
-        const first = new Set(chosen);
-        const by_length = [...this.labels.lines].sort((a, b) =>
-            a.length - b.length || a.h - b.h);
-        this.boxes = new Map();
-        if (this.dense) this.label_some([...first]);
-        else this.label_all(by_length.map(({ h }) => h), [...first]);
-        this.draw_boxes();
-        this.draw_flags(flags);
-        this.draw_face_labels();
+        return [...new Set([
+            current, next, opp, ...Object.keys(flags).map(Number),
+            ...half_edges, ...seen].filter((h) => this.arrows[h]))];
     }
 
     /** In a dense mesh: these half-edges and the vertices that they leave. */
@@ -413,19 +423,17 @@ class MeshDrawing {
     }
 
     /** Where a face has most room; outside for the one that is turned over. */
-    draw_face_labels() {
-        const lit = new Set(this.state.faces);
+    draw_face_labels(wanted, classes) {
         const turned = this.polygons.filter((p) => is_inside_out(p.corners));
         for (const { f, corners } of this.polygons) {
-            if (this.dense && !lit.has(f)) continue;
-            if (is_inside_out(corners) && turned.length > 1) continue;
+            const outside = is_inside_out(corners);
+            if (!wanted(f) || (outside && turned.length > 1)) continue;
             const w = text_width("F" + f, this.font) + 0.1 * this.font;
             const size = { w, h: 1.1 * this.font };
-            const box = this.labels.place(is_inside_out(corners)
+            const box = this.labels.place(outside
                 ? corner_places(this.frame, size)
                 : inner_places(corners, size, this.offset));
-            if (box) this.draw_box(box, "F" + f,
-                                   "face-label" + (lit.has(f) ? " lit" : ""));
+            if (box) this.draw_box(box, "F" + f, classes);
         }
     }
 

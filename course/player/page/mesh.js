@@ -351,7 +351,6 @@ class MeshDrawing {
         }
         this.clear_labels();
         this.label_half_edges(first);
-        this.label_half_edges(order.filter((h) => !this.boxes.has(h)));
     }
 
     clear_labels() {

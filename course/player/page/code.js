@@ -40,35 +40,33 @@ function half_edge_names(text) {
     return new Set([...names].filter((name) => !/^\d/.test(name)));
 }
 
+const declarations =
+    /[{}();]|\b(?:int|auto|bool|double)\s*&?\s+(\w+)\s*(?=[=;:,)[])/g;
+
 /**
  * Declarations of a name that an outer scope of the same function has, too:
  * [{name, line}].
  */
 function find_shadows(lines, first) {
-    const declaration =
-        /[{}();]|\b(?:int|auto|bool|double)\s*&?\s+(\w+)\s*(?=[=;:,)[])/g;
     const scopes = [[]];
     const shadows = [];
-    let pending = [];  // names in parentheses belong to the block after them
+    const pending = [];  // names in parentheses belong to the block after them
     let parentheses = 0;
+    const on = {
+        "(": () => ++parentheses,
+        ")": () => --parentheses,
+        "{": () => scopes.push(pending.splice(0)),
+        "}": () => scopes.pop(),
+        ";": () => parentheses || pending.splice(0),
+    };
+    const declare = (name, line) => {
+        if (scopes.flat().includes(name)) shadows.push({ name, line });
+        (parentheses ? pending : scopes[scopes.length - 1] || []).push(name);
+    };
     lines.forEach((text, k) => {
-        for (const [token, name] of text.matchAll(declaration)) {
-            if (token === "(") ++parentheses;
-            else if (token === ")") --parentheses;
-            else if (token === "{") {
-                scopes.push(pending);
-                pending = [];
-            } else if (token === "}") {
-                scopes.pop();
-            } else if (token === ";") {
-                if (!parentheses) pending = [];
-            } else {
-                if (scopes.flat().includes(name))
-                    shadows.push({ name, line: first + k });
-                (parentheses ? pending : scopes[scopes.length - 1] || [])
-                    .push(name);
-            }
-        }
+        for (const [token, name] of text.matchAll(declarations))
+            if (name) declare(name, first + k);
+            else on[token]();
     });
     return shadows;
 }

@@ -198,6 +198,7 @@ class MeshDrawing {
                label_layer] = ["faces", "edges", "links", "arrows", "vertices",
                                "labels"].map(this.layer);
         this.label_layer = label_layer;
+        this.drawn = new Map();
         this.arrows = this.table.map((row, h) => this.arrow(h));
         this.draw_faces(face_layer);
         this.draw_edges(edge_layer);
@@ -217,7 +218,7 @@ class MeshDrawing {
         const [ux, uy] = unit(subtract(b, a));
         const [nx, ny] = [uy, -ux];
         const cut = Math.min(this.radius + 0.35 * this.font, 0.3 * length);
-        const shift = this.offset * (1 + 2 * this.twins_before(h, from, to));
+        const shift = this.offset * (1 + 2 * this.twins_before(from, to));
         return {
             h, length, ux, uy, nx, ny,
             x1: a[0] + ux * cut + nx * shift, y1: a[1] + uy * cut + ny * shift,
@@ -226,11 +227,10 @@ class MeshDrawing {
     }
 
     /** In a wrong table two half-edges may run alike: side by side then. */
-    twins_before(h, from, to) {
-        let count = 0;
-        for (let k = 0; k < h; ++k)
-            if (this.table[k][0] === from && tip_of(this.table, k) === to)
-                ++count;
+    twins_before(from, to) {
+        const key = from + "," + to;
+        const count = this.drawn.get(key) || 0;
+        this.drawn.set(key, count + 1);
         return count;
     }
 

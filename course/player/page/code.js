@@ -14,6 +14,13 @@ class Source {
         return this.lines[line - this.first] || "";
     }
 
+    /** The line where a function begins; 0 when it is not found. */
+    definition(name) {
+        const begin = new RegExp(`^\\w.*\\b${name}\\(`);
+        const k = this.plain.findIndex((text) => begin.test(text));
+        return k < 0 ? 0 : this.first + k;
+    }
+
     /** [before, expression, after] of columns that are counted in bytes. */
     split(line, [from, to]) {
         const bytes = new TextEncoder().encode(this.text(line));

@@ -117,6 +117,10 @@ function say_shadow(walk, { variables }) {
         (outer ? `; the outer ${name} stays ${value_text(outer.value)}.` : ".");
 }
 
+function is_wrong(walk) {
+    return walk.error ? walk.expected !== undefined : differs(walk);
+}
+
 function differs({ result, expected, expected_error }) {
     return expected_error !== undefined ||
         (expected !== undefined && !same_result(expected, result));

@@ -59,7 +59,8 @@ class Walk {
         else if (this.recording.starts === "vertex")
             state.vertices = [this.start];
         if (this.is_last(k)) this.light_end(state);
-        state.line = this.step(k).l || 0;
+        state.line = k > 0 ? this.step(k).l || 0
+                           : this.code.definition(this.call.split("(")[0]);
         state.columns = this.is_last(k) && !this.error ? null
                                                        : this.step(k).c;
         this.set_flags(state);

@@ -124,18 +124,20 @@ class WalkPage {
         return this.walks.find((w) => w.source === source && w.start === start);
     }
 
-    /** The longest walk that returns, or else the longest. */
-    longest(source) {
+    /** The first that goes wrong, or else the longest that returns. */
+    most_telling(source) {
         const of_source = this.walks.filter((w) => w.source === source);
-        const rank = (w) => (w.error ? 0 : 1e6) + w.count;
+        const rank = (w) => (is_wrong(w) ? 2e6 : w.error ? 0 : w.count + 1e6);
         return of_source.reduce((best, w) => rank(w) > rank(best) ? w : best,
                                 of_source[0] || this.walks[0]);
     }
 
     open_link() {
         const link = read_link();
-        const source = Number(link.source || 0);
-        const walk = this.find(source, Number(link.i)) || this.longest(source);
+        const last = this.recording.sources.length - 1;
+        const source = Number(link.source ?? last);
+        const walk = this.find(source, Number(link.i)) ||
+            this.most_telling(source);
         this.open(walk, Number(link.step || 0));
         if (link.compare) this.compare(Number(link.step || 0));
     }

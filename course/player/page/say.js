@@ -5,6 +5,8 @@ function say_state(walk, k, state) {
     if (k === 0) return say_call(walk);
     if (walk.is_last(k)) return say_end(walk, state);
     const step = walk.step(k);
+    if (step.n !== undefined)
+        return { main: `The table has ${step.n} rows now`, more: "" };
     if (step.i === undefined) return say_line(walk, step, state);
     return { main: say_access(walk, step),
              more: say_meaning(walk, step, state) };
@@ -36,7 +38,8 @@ function say_access(walk, step) {
 /** What the value means, and which variables have changed. */
 function say_meaning(walk, step, state) {
     const { f, v, w } = step;
-    const parts = [];
+    const parts = say_function(step);
+    if (step.o) parts.push("in the table as it was given");
     if (w === undefined && f === 1 && v < 0) parts.push("no face: border");
     if (f >= 2 && v === state.start && w === undefined)
         parts.push(`H${v} is the start`);
@@ -58,8 +61,14 @@ function say_changes({ d = {} }, { variables }) {
 function say_line(walk, step, state) {
     const text = walk.code.text(step.l).trim().replace(/\s*\/\/.*/, "");
     return { main: `line ${step.l}: ${text}`,
-             more: say_condition(walk, text, step.l, state) ||
-                 say_changes(step, state).join(" · ") };
+             more: say_condition(text, state) ||
+                 [...say_function(step), ...say_changes(step, state)]
+                     .join(" · ") };
+}
+
+/** Said when it is another function than in the step before. */
+function say_function({ fn }) {
+    return fn ? [`now in ${fn}`] : [];
 }
 
 const comparisons = {
@@ -68,21 +77,24 @@ const comparisons = {
 };
 
 /** while (i != start): what the two are, and so whether it goes on. */
-function say_condition(walk, text, line, { variables }) {
+function say_condition(text, { variables }) {
     const found = text.match(
         /\b(while|if) \((\w+) ([!=<>]=?) (-?\w+)\)/);
     if (!found) return "";
     const [, word, left, sign, right] = found;
-    const value = (name) => /^-?\d+$/.test(name) ? Number(name)
-        : (variables.get(name) || {}).value;
+    const is_name = (text) => /^[a-z_]/i.test(text);
+    const value = (text) => is_name(text) ? variables.get(text)?.value
+                                          : Number(text);
     const [a, b] = [value(left), value(right)];
     if (a === undefined || b === undefined) return "";
     const holds = comparisons[sign](a, b);
-    const values = [[left, a], [right, b]].filter(([name]) => /^\D/.test(name))
+    const values = [[left, a], [right, b]]
+        .filter(([name]) => is_name(name))
         .map(([name, x]) => `${name} is ${x}`).join(", ");
     if (word === "if") return `${values}: ${holds ? "yes" : "no"}`;
-    if (holds) return `${values}: not the same, go on`;
-    return `${values}: ${sign === "!=" ? "the same, " : ""}the loop ends`;
+    const same = { true: "not the same, ", false: "the same, " };
+    return `${values}: ${sign === "!=" ? same[holds] : ""}` +
+        (holds ? "go on" : "the loop ends");
 }
 
 function say_end(walk, state) {

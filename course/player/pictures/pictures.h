@@ -1,0 +1,28 @@
+// The pictures of the lecture notes: pages that step through one idea each.
+// Each is made from a run of the course's own code when it is asked for.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace course {
+
+/// One page.
+struct Picture {
+    std::string name;       ///< of the file, and of its script: "build"
+    std::string title;      ///< what the page asks or shows
+    std::string chapter;    ///< of the lecture notes: "03_building"
+    std::string (*make)();  ///< its data: JSON
+};
+
+/// All pictures, by chapter.
+std::vector<Picture> lecture_pictures();
+
+/// The whole page, one HTML file. Throws SystemError when a part of it cannot
+/// be read.
+std::string picture_page(const Picture& picture);
+
+// The data of each, in a file of its own.
+std::string build_picture();
+
+}  // namespace course

@@ -8,6 +8,15 @@ std::vector<Picture> lecture_pictures() {
     return {
         {"build", "From the list of faces to the table", "03_building",
          build_picture},
+        {"cost", "What does a query cost?", "03_building", cost_picture},
+        {"nonmanifold", "What is no manifold", "04_topology",
+         nonmanifold_picture},
+        {"moebius", "Which way round? The Möbius strip", "04_topology",
+         moebius_picture},
+        {"euler", "Vertices minus edges plus faces", "04_topology",
+         euler_picture},
+        {"integers", "What do the structures cost?", "04_topology",
+         integers_picture},
     };
 }
 

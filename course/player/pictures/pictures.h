@@ -24,5 +24,10 @@ std::string picture_page(const Picture& picture);
 
 // The data of each, in a file of its own.
 std::string build_picture();
+std::string cost_picture();
+std::string euler_picture();
+std::string integers_picture();
+std::string moebius_picture();
+std::string nonmanifold_picture();
 
 }  // namespace course

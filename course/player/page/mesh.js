@@ -31,11 +31,6 @@ function edges_of(table, faces) {
     return [...found.values()];
 }
 
-function neighbours(v, edges) {
-    return edges.filter((edge) => edge.includes(v))
-        .map(([a, b]) => (a === v ? b : a));
-}
-
 /** [[face, [half-edges of its loop]], ...] of the loops that close. */
 function face_loops(table) {
     const loops = new Map();
@@ -64,8 +59,7 @@ class MeshPicture {
         this.on_pick = null;
         this.table = table;
         this.faces = faces;
-        this.points = points;
-        this.flat = null;
+        this.flat = flat_layout(points, faces, edges_of(table, faces));
         this.state = {};
         place.classList.add("mesh-picture");
         place.addEventListener("click", (event) => this.pick(event));
@@ -78,51 +72,18 @@ class MeshPicture {
             this.on_pick(Number(element.dataset.halfEdge));
     }
 
-    /** Shows the whole mesh. */
-    show_all() {
-        this.whole ??= flat_layout(this.points, this.faces,
-                                   edges_of(this.table, this.faces));
-        this.flat = [...this.whole];
-    }
-
-    /** Of a large mesh only the faces round these half-edges. */
-    focus_on(half_edges) {
-        const near = new Set(half_edges.flatMap((h) =>
-            this.table[h] ? [this.table[h][0], tip_of(this.table, h)] : []));
-        const faces = this.faces.filter((f) => f.some((v) => near.has(v)));
-        if (this.table.length < 150 || !faces.length ||
-            faces.length > this.faces.length / 2) return this.show_all();
-        const edges = edges_of([], faces);
-        const used = new Set(edges.flat());
-        this.flat = flat_layout(this.points, faces, edges)
-            .map((p, v) => (used.has(v) ? p : null));
-    }
-
     /**
      * Gives vertices of `table` that have no point yet a place amid their
      * neighbours. For tables that are edited: call it with the last one.
      */
     remember(table) {
-        if (!this.flat) this.show_all();
         const edges = edges_of(table, []);
         const known = this.flat.length;
         for (const v of new Set(edges.flat().filter((v) => v >= known))) {
-            const others = neighbours(v, edges).filter((o) => o < known);
-            this.flat[v] = others.length > 1 ? mean(others, this.flat)
-                : others.length ? this.outside(others[0], edges, known)
-                : [0, 0];
+            const others = edges.filter((edge) => edge.includes(v))
+                .map(([a, b]) => (a === v ? b : a)).filter((o) => o < known);
+            this.flat[v] = others.length ? mean(others, this.flat) : [0, 0];
         }
-    }
-
-    /** For a vertex at the end of a loose edge: away from all others. */
-    outside(v, edges, known) {
-        const others = neighbours(v, edges).filter((o) => o < known);
-        const [x, y] = this.flat[v];
-        if (!others.length) return [x + 1, y];
-        const length = others.reduce((sum, o) => sum + Math.hypot(
-            ...subtract(this.flat[o], this.flat[v])), 0) / others.length;
-        const [ux, uy] = unit(subtract([x, y], mean(others, this.flat)));
-        return [x + 0.8 * length * ux, y + 0.8 * length * uy];
     }
 
     /**
@@ -132,8 +93,10 @@ class MeshPicture {
      *   next, opp     half-edge that this field of `current` leads to
      *   seen          half-edges that were visited
      *   half_edges, vertices, faces      those that are lit
+     *   edges         [[v, v], ...], lit too
+     *   face, edge, vertex               the one that it is about
      *   flags         {h: [names]}: signs at half-edges, names of variables
-     *   outline       true: the edges of `faces` are drawn, too
+     *   start         half-edge that has the mark of the start
      */
     show(state) {
         this.state = state;
@@ -152,12 +115,10 @@ class MeshDrawing {
     constructor(picture, table, frame) {
         this.state = picture.state;
         this.faces = picture.faces;
-        this.point_count = picture.points.length;
         this.table = table;
         this.frame = frame;
         this.font = parseFloat(getComputedStyle(picture.place).fontSize);
-        this.edges = edges_of(table, picture.faces).filter((edge) =>
-            edge.every((v) => picture.flat[v]));
+        this.edges = edges_of(table, picture.faces);
         this.fit(picture.flat);
         this.measure();
         this.layer = (name) => svg("g", { class: name }, picture.place);
@@ -166,15 +127,15 @@ class MeshDrawing {
 
     /** this.at: the places of the vertices in the frame. */
     fit(flat) {
-        const [x, y] = extent(flat.filter(Boolean));
+        const [x, y] = extent(flat);
         const margin = [this.font * 3, this.font * 2.5];
         const fits = [this.frame.width, this.frame.height].map((size, d) =>
             Math.max(1, size - 2 * margin[d]) /
             Math.max(1e-9, [x, y][d][1] - [x, y][d][0]));
         // Stretched a little where there is room: the labels need it.
         const scale = fits.map((fit) =>
-            Math.min(fit, 1.45 * Math.min(...fits)));
-        this.at = flat.map((p) => p && [
+            Math.min(fit, 1.35 * Math.min(...fits)));
+        this.at = flat.map((p) => [
             this.frame.width / 2 + scale[0] * (p[0] - (x[0] + x[1]) / 2),
             this.frame.height / 2 - scale[1] * (p[1] - (y[0] + y[1]) / 2)]);
     }
@@ -186,7 +147,7 @@ class MeshDrawing {
         const middle = lengths[lengths.length >> 1] || 100;
         const digits = String(this.at.length - 1).length;
         this.radius = this.font * (0.45 + 0.33 * digits);
-        this.dense = middle < 2 * this.radius + 1.6 * this.font;
+        this.dense = middle < 2 * this.radius + 2.2 * this.font;
         const thin = Math.max(0.3, Math.min(1, middle / (6 * this.font)));
         this.offset = 0.42 * this.font * thin;
         this.head = 0.8 * this.font * thin;
@@ -198,7 +159,6 @@ class MeshDrawing {
                label_layer] = ["faces", "edges", "links", "arrows", "vertices",
                                "labels"].map(this.layer);
         this.label_layer = label_layer;
-        this.drawn = new Map();
         this.arrows = this.table.map((row, h) => this.arrow(h));
         this.draw_faces(face_layer);
         this.draw_edges(edge_layer);
@@ -218,7 +178,7 @@ class MeshDrawing {
         const [ux, uy] = unit(subtract(b, a));
         const [nx, ny] = [uy, -ux];
         const cut = Math.min(this.radius + 0.35 * this.font, 0.3 * length);
-        const shift = this.offset * (1 + 2 * this.twins_before(from, to));
+        const shift = this.offset * (1 + 2 * this.twins_before(h, from, to));
         return {
             h, length, ux, uy, nx, ny,
             x1: a[0] + ux * cut + nx * shift, y1: a[1] + uy * cut + ny * shift,
@@ -227,10 +187,11 @@ class MeshDrawing {
     }
 
     /** In a wrong table two half-edges may run alike: side by side then. */
-    twins_before(from, to) {
-        const key = from + "," + to;
-        const count = this.drawn.get(key) || 0;
-        this.drawn.set(key, count + 1);
+    twins_before(h, from, to) {
+        let count = 0;
+        for (let k = 0; k < h; ++k)
+            if (this.table[k][0] === from && tip_of(this.table, k) === to)
+                ++count;
         return count;
     }
 
@@ -242,7 +203,8 @@ class MeshDrawing {
             const corners = vertices.map((v) => this.at[v]);
             this.polygons.push({ f, corners });
             if (is_inside_out(corners)) return;
-            svg("polygon", { class: lit.has(f) ? "face lit" : "face",
+            svg("polygon", { class: "face" + (lit.has(f) ? " lit" : "") +
+                                 (f === this.state.face ? " current" : ""),
                              points: corners.join(" ") }, layer);
         };
         if (this.table.length)
@@ -252,10 +214,14 @@ class MeshDrawing {
     }
 
     draw_edges(layer) {
-        const outline = this.state.outline ? edges_of([], this.faces) : [];
-        for (const [a, b] of [...outline, ...this.edges])
-            svg("path", { class: "edge", d: `M${this.at[a]}L${this.at[b]}` },
-                layer);
+        const name = ([a, b]) => Math.min(a, b) + "," + Math.max(a, b);
+        const lit = new Set((this.state.edges || []).map(name));
+        const current = this.state.edge && name(this.state.edge);
+        for (const [a, b] of this.edges)
+            svg("path", { class: "edge" +
+                (lit.has(name([a, b])) ? " lit" : "") +
+                (current === name([a, b]) ? " current" : ""),
+                          d: `M${this.at[a]}L${this.at[b]}` }, layer);
     }
 
     /** The classes of half-edge h: what it is in the state. */
@@ -291,10 +257,9 @@ class MeshDrawing {
         const lit = new Set(this.state.vertices);
         const used = new Set(this.edges.flat());
         this.at.forEach((p, v) => {
-            if (!p || (v >= this.point_count && !used.has(v))) return;
             const group = svg("g", { class: "vertex" +
-                (lit.has(v) ? " lit" : "") + (used.has(v) ? "" : " unused") },
-                layer);
+                (lit.has(v) ? " lit" : "") + (used.has(v) ? "" : " unused") +
+                (v === this.state.vertex ? " current" : "") }, layer);
             svg("circle", { cx: p[0], cy: p[1], r: this.radius }, group);
             if (!this.dense)
                 svg("text", { x: p[0], y: p[1] }, group).textContent = "V" + v;
@@ -303,60 +268,34 @@ class MeshDrawing {
         });
     }
 
-    /** Of a dense mesh only what is near to half-edges with a role. */
+    /** All that have a role first; in a dense mesh only what is near them. */
     draw_labels() {
+        const { current, next, opp, flags = {}, half_edges = [] } = this.state;
         this.labels.lines = this.arrows.filter(Boolean);
+        const chosen = [current, next, opp, ...Object.keys(flags).map(Number),
+                        ...half_edges].filter((h) => this.arrows[h]);
+        const first = new Set(chosen);
+        const by_length = [...this.labels.lines].sort((a, b) =>
+            a.length - b.length || a.h - b.h);
         this.boxes = new Map();
-        const first = this.half_edges_with_role();
-        const all = [...this.labels.lines].sort((a, b) =>
-            a.length - b.length || a.h - b.h).map(({ h }) => h);
-        const lit = new Set(this.state.faces);
-        if (this.dense) this.label_some(first);
-        else if (lit.size) this.label_half_edges(first);
-        else this.label_all(all, first);
-        this.draw_face_labels((f) => lit.has(f), "face-label lit");
-        if (!this.dense)
-            this.label_half_edges(all.filter((h) => !this.boxes.has(h)));
-        this.draw_boxes();
-        this.draw_flags(this.state.flags || {});
-        if (!this.dense)
-            this.draw_face_labels((f) => !lit.has(f), "face-label");
-    }
-
-    half_edges_with_role() {
-        const { current, next, opp, flags = {}, half_edges = [],
-                seen = [] } = this.state;
-        return [...new Set([
-            current, next, opp, ...Object.keys(flags).map(Number),
-            ...half_edges, ...seen].filter((h) => this.arrows[h]))];
-    }
-
-    /** In a dense mesh: these half-edges and the vertices that they leave. */
-    label_some(half_edges) {
-        const lit = new Set(this.state.vertices);
-        lit.forEach((v) => this.label_vertex(v, "vertex-label lit"));
-        this.label_half_edges(half_edges);
-        for (const v of new Set(half_edges.map((h) => this.table[h][0])))
-            if (!lit.has(v)) this.label_vertex(v, "vertex-label");
-    }
-
-    /** Those that found no place get theirs first in the next attempt. */
-    label_all(order, first) {
-        for (let attempt = 0; attempt < 8; ++attempt) {
-            this.clear_labels();
-            if (this.label_half_edges(order)) return;
-            const placed = (h) => this.boxes.has(h);
-            order = [...order.filter((h) => !placed(h)),
-                     ...order.filter(placed)];
+        if (this.dense)
+            for (const v of this.state.vertices || []) this.label_vertex(v);
+        if (this.dense) this.label_half_edges([...first]);
+        else if (!this.label_half_edges(by_length.map(({ h }) => h))) {
+            this.relabel([...first], by_length.map(({ h }) => h));
         }
-        this.clear_labels();
-        this.label_half_edges(first);
+        this.draw_boxes();
+        this.draw_flags(flags);
+        this.draw_face_labels();
     }
 
-    clear_labels() {
-        const mine = new Set(this.boxes.values());
-        this.labels.taken = this.labels.taken.filter((b) => !mine.has(b));
+    /** Not all fit: those with a role get their places before the others. */
+    relabel(first, all) {
+        for (const box of this.boxes.values())
+            this.labels.taken.splice(this.labels.taken.indexOf(box), 1);
         this.boxes.clear();
+        this.label_half_edges(first);
+        this.label_half_edges(all.filter((h) => !this.boxes.has(h)));
     }
 
     /** Whether all have found a place. */
@@ -384,7 +323,7 @@ class MeshDrawing {
         return places;
     }
 
-    label_vertex(v, classes) {
+    label_vertex(v) {
         const [x, y] = this.at[v] || [];
         if (x === undefined) return;
         const side = 2 * this.radius;
@@ -392,7 +331,7 @@ class MeshDrawing {
             { x, y, w: side, h: side },
             text_width("V" + v, this.font) + 0.3 * this.font,
             1.2 * this.font));
-        if (box) this.draw_box(box, "V" + v, classes);
+        if (box) this.draw_box(box, "V" + v, "vertex-label lit");
     }
 
     draw_boxes() {
@@ -416,23 +355,26 @@ class MeshDrawing {
             const text = names.join(" ");
             const box = this.labels.place(around_box(
                 own, text_width(text, this.font) + 0.4 * this.font,
-                1.3 * this.font));
+                1.15 * this.font));
             if (box) this.draw_box(box, text, "flag");
         }
     }
 
     /** Where a face has most room; outside for the one that is turned over. */
-    draw_face_labels(wanted, classes) {
+    draw_face_labels() {
+        const lit = new Set(this.state.faces);
         const turned = this.polygons.filter((p) => is_inside_out(p.corners));
         for (const { f, corners } of this.polygons) {
-            const outside = is_inside_out(corners);
-            if (!wanted(f) || (outside && turned.length > 1)) continue;
+            const named = lit.has(f) || f === this.state.face;
+            if (this.dense && !named) continue;
+            if (is_inside_out(corners) && turned.length > 1) continue;
             const w = text_width("F" + f, this.font) + 0.1 * this.font;
             const size = { w, h: 1.1 * this.font };
-            const box = this.labels.place(outside
+            const box = this.labels.place(is_inside_out(corners)
                 ? corner_places(this.frame, size)
                 : inner_places(corners, size, this.offset));
-            if (box) this.draw_box(box, "F" + f, classes);
+            if (box) this.draw_box(box, "F" + f,
+                                   "face-label" + (lit.has(f) ? " lit" : ""));
         }
     }
 

@@ -44,9 +44,11 @@ template <class OnFace>
 void walk(const HalfEdgeTable& he, int i, OnFace on_face) {
     const int start = i;
     do {
-        on_face(i, he[i].fi);
+        const int here = i;
+        const int f = he[i].fi;
         i = he[i].opp;
         i = he[i].next;
+        on_face(here, f);
     } while (i != start);
 }
 

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "course/halfedge/build.h"
+#include "course/mesh/generators.h"
 #include "course/mesh/zoo.h"
 #include "course/player/json.h"
 #include "course/player/pictures/orientation.h"
@@ -82,7 +83,11 @@ std::vector<Json> json_of(const std::vector<Edges>& groups) {
     return all;
 }
 
-Json counted(const char* name, const IndexedMesh& mesh) {
+/// How a mesh is best seen.
+enum class View { as_it_is, cut_open };
+
+Json counted(const char* name, const IndexedMesh& mesh,
+             View view = View::as_it_is) {
     Edges edges;
     Edges border;
     for (const auto& [edge, faces] : faces_at_edges(mesh.faces)) {
@@ -90,6 +95,7 @@ Json counted(const char* name, const IndexedMesh& mesh) {
         if (faces == 1) border.push_back(edge);
     }
     return Json::object({{"name", name},
+                         {"net", view == View::cut_open},
                          {"points", mesh.positions},
                          {"faces", mesh.faces},
                          {"elements", elements(mesh.faces)},
@@ -109,8 +115,9 @@ std::string euler_picture() {
                               counted("cube", zoo::cube().mesh),
                               counted("ring", zoo::annulus().mesh),
                               counted("two pieces", zoo::two_triangles().mesh),
-                              counted("torus", zoo::torus7().mesh),
-                              counted("Möbius", zoo::moebius3q().mesh),
+                              counted("torus", torus(3, 3), View::cut_open),
+                              counted("Möbius strip", zoo::moebius3q().mesh,
+                                      View::cut_open),
                               counted("hourglass", zoo::hourglass().mesh)})}})
         .text();
 }

@@ -13,8 +13,7 @@ std::vector<Picture> lecture_pictures() {
          nonmanifold_picture},
         {"moebius", "Which way round? The Möbius strip", "04_topology",
          moebius_picture},
-        {"euler", "Vertices minus edges plus faces", "04_topology",
-         euler_picture},
+        {"euler", "V − E + F", "04_topology", euler_picture},
         {"integers", "What do the structures cost?", "04_topology",
          integers_picture},
     };
@@ -22,9 +21,10 @@ std::vector<Picture> lecture_pictures() {
 
 std::string picture_page(const Picture& picture) {
     return make_page({picture.title,
-                      {"base.css", "pictures/pictures.css"},
+                      {"base.css", "mesh.css", "pictures/pictures.css"},
                       "pictures/pictures.html",
-                      {"svg.js", "stepper.js", "pictures/pictures.js",
+                      {"svg.js", "stepper.js", "layout.js", "labels.js",
+                       "mesh.js", "pictures/pictures.js", "pictures/net.js",
                        "pictures/" + picture.name + ".js"},
                       picture.make()});
 }

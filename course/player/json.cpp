@@ -1,17 +1,30 @@
 #include "course/player/json.h"
 
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "course/report/escape.h"
+
 namespace course {
 
-Json::Json(std::string_view value) : text_("\"") {
-    for (const char c : value) {
+std::string json_string(std::string_view text) {
+    std::string quoted = "\"";
+    for (const char c : escape_json(text)) {
         if (c == '"' || c == '\\')
-            text_ += {'\\', c};
-        else if (static_cast<unsigned char>(c) < 0x20)
-            text_ += fmt::format("\\u{:04x}", static_cast<unsigned>(c));
+            quoted += {'\\', c};
+        else if (c == '\n')
+            quoted += "\\n";
+        else if (c == '\t')
+            quoted += "\\t";
         else
-            text_ += c;
+            quoted += c;
     }
-    text_ += '"';
+    return quoted + '"';
+}
+
+std::string json_number(double value) {
+    return std::isfinite(value) ? fmt::format("{:.9g}", value) : "null";
 }
 
 Json::Json(const HalfEdge& row)

@@ -1,8 +1,7 @@
-// JSON as text, for the data of pages. Written only, never read.
+// JSON as text, for recordings and the data of pages. Written only, never read.
 #pragma once
 
-#include <fmt/format.h>
-
+#include <cstdint>
 #include <initializer_list>
 #include <string>
 #include <string_view>
@@ -14,6 +13,13 @@
 
 namespace course {
 
+/// The text in quotes, escaped; what no reader would see is spelled out.
+std::string json_string(std::string_view text);
+
+/// A number with as many digits as a page shows; null for what JSON has no
+/// number for.
+std::string json_number(double value);
+
 /// One JSON value, made from what the course's code has at hand.
 class Json {
 public:
@@ -21,12 +27,10 @@ public:
     Json(bool value) : text_(value ? "true" : "false") {}
     Json(int value) : text_(std::to_string(value)) {}
     Json(std::int64_t value) : text_(std::to_string(value)) {}
-    /// Precondition: finite; JSON has no other numbers.
-    Json(double value) : text_(fmt::format("{:.6g}", value)) {}
+    Json(double value) : text_(json_number(value)) {}
     Json(const char* value) : Json(std::string_view(value)) {}
     Json(const std::string& value) : Json(std::string_view(value)) {}
-    /// A string; must be UTF-8.
-    Json(std::string_view value);
+    Json(std::string_view value) : text_(json_string(value)) {}
     /// [vi, fi, next, opp]
     Json(const HalfEdge& row);
     /// [x, y, z]

@@ -31,6 +31,11 @@ function edges_of(table, faces) {
     return [...found.values()];
 }
 
+function neighbours(v, edges) {
+    return edges.filter((edge) => edge.includes(v))
+        .map(([a, b]) => (a === v ? b : a));
+}
+
 /** [[face, [half-edges of its loop]], ...] of the loops that close. */
 function face_loops(table) {
     const loops = new Map();
@@ -52,14 +57,16 @@ class MeshPicture {
      * place    an SVG element, sized by CSS
      * mesh     {points, faces, table}: points of two or three coordinates,
      *          faces as lists of vertices, table as rows [vi, fi, next, opp];
-     *          faces or table may be []
+     *          faces or table may be []; sparse: labels only for what is lit
      */
-    constructor(place, { points, faces = [], table = [] }) {
+    constructor(place, { points, faces = [], table = [], sparse = false }) {
         this.place = place;
+        this.sparse = sparse;
         this.on_pick = null;
         this.table = table;
         this.faces = faces;
-        this.flat = flat_layout(points, faces, edges_of(table, faces));
+        this.points = points;
+        this.flat = null;
         this.state = {};
         place.classList.add("mesh-picture");
         place.addEventListener("click", (event) => this.pick(event));
@@ -72,18 +79,51 @@ class MeshPicture {
             this.on_pick(Number(element.dataset.halfEdge));
     }
 
+    /** Shows the whole mesh. */
+    show_all() {
+        this.whole ??= flat_layout(this.points, this.faces,
+                                   edges_of(this.table, this.faces));
+        this.flat = [...this.whole];
+    }
+
+    /** Of a large mesh only the faces round these half-edges. */
+    focus_on(half_edges) {
+        const near = new Set(half_edges.flatMap((h) =>
+            this.table[h] ? [this.table[h][0], tip_of(this.table, h)] : []));
+        const faces = this.faces.filter((f) => f.some((v) => near.has(v)));
+        if (this.table.length < 150 || !faces.length ||
+            faces.length > this.faces.length / 2) return this.show_all();
+        const edges = edges_of([], faces);
+        const used = new Set(edges.flat());
+        this.flat = flat_layout(this.points, faces, edges)
+            .map((p, v) => (used.has(v) ? p : null));
+    }
+
     /**
      * Gives vertices of `table` that have no point yet a place amid their
      * neighbours. For tables that are edited: call it with the last one.
      */
     remember(table) {
+        if (!this.flat) this.show_all();
         const edges = edges_of(table, []);
         const known = this.flat.length;
         for (const v of new Set(edges.flat().filter((v) => v >= known))) {
-            const others = edges.filter((edge) => edge.includes(v))
-                .map(([a, b]) => (a === v ? b : a)).filter((o) => o < known);
-            this.flat[v] = others.length ? mean(others, this.flat) : [0, 0];
+            const others = neighbours(v, edges).filter((o) => o < known);
+            this.flat[v] = others.length > 1 ? mean(others, this.flat)
+                : others.length ? this.outside(others[0], edges, known)
+                : [0, 0];
         }
+    }
+
+    /** For a vertex at the end of a loose edge: away from all others. */
+    outside(v, edges, known) {
+        const others = neighbours(v, edges).filter((o) => o < known);
+        const [x, y] = this.flat[v];
+        if (!others.length) return [x + 1, y];
+        const length = others.reduce((sum, o) => sum + Math.hypot(
+            ...subtract(this.flat[o], this.flat[v])), 0) / others.length;
+        const [ux, uy] = unit(subtract([x, y], mean(others, this.flat)));
+        return [x + 0.8 * length * ux, y + 0.8 * length * uy];
     }
 
     /**
@@ -95,6 +135,7 @@ class MeshPicture {
      *   half_edges, vertices, faces      those that are lit
      *   edges         [[v, v], ...], lit too
      *   face, edge, vertex               the one that it is about
+     *   both_sides    lit faces are drawn, too, if seen from behind
      *   flags         {h: [names]}: signs at half-edges, names of variables
      *   start         half-edge that has the mark of the start
      */
@@ -115,10 +156,13 @@ class MeshDrawing {
     constructor(picture, table, frame) {
         this.state = picture.state;
         this.faces = picture.faces;
+        this.sparse = picture.sparse;
+        this.point_count = picture.points.length;
         this.table = table;
         this.frame = frame;
         this.font = parseFloat(getComputedStyle(picture.place).fontSize);
-        this.edges = edges_of(table, picture.faces);
+        this.edges = edges_of(table, picture.faces).filter((edge) =>
+            edge.every((v) => picture.flat[v]));
         this.fit(picture.flat);
         this.measure();
         this.layer = (name) => svg("g", { class: name }, picture.place);
@@ -127,15 +171,15 @@ class MeshDrawing {
 
     /** this.at: the places of the vertices in the frame. */
     fit(flat) {
-        const [x, y] = extent(flat);
+        const [x, y] = extent(flat.filter(Boolean));
         const margin = [this.font * 3, this.font * 2.5];
         const fits = [this.frame.width, this.frame.height].map((size, d) =>
             Math.max(1, size - 2 * margin[d]) /
             Math.max(1e-9, [x, y][d][1] - [x, y][d][0]));
         // Stretched a little where there is room: the labels need it.
         const scale = fits.map((fit) =>
-            Math.min(fit, 1.35 * Math.min(...fits)));
-        this.at = flat.map((p) => [
+            Math.min(fit, 1.45 * Math.min(...fits)));
+        this.at = flat.map((p) => p && [
             this.frame.width / 2 + scale[0] * (p[0] - (x[0] + x[1]) / 2),
             this.frame.height / 2 - scale[1] * (p[1] - (y[0] + y[1]) / 2)]);
     }
@@ -147,7 +191,7 @@ class MeshDrawing {
         const middle = lengths[lengths.length >> 1] || 100;
         const digits = String(this.at.length - 1).length;
         this.radius = this.font * (0.45 + 0.33 * digits);
-        this.dense = middle < 2 * this.radius + 2.2 * this.font;
+        this.dense = this.sparse || middle < 2 * this.radius + 1.6 * this.font;
         const thin = Math.max(0.3, Math.min(1, middle / (6 * this.font)));
         this.offset = 0.42 * this.font * thin;
         this.head = 0.8 * this.font * thin;
@@ -196,15 +240,18 @@ class MeshDrawing {
     }
 
     draw_faces(layer) {
-        const lit = new Set(this.state.faces);
+        const { faces = [], face, both_sides = false } = this.state;
+        const lit = new Set(faces);
+        const hidden = (f, corners) => is_inside_out(corners) &&
+            !(both_sides && (lit.has(f) || f === face));
         this.polygons = [];
         const add = (f, vertices) => {
             if (vertices.some((v) => !this.at[v])) return;
             const corners = vertices.map((v) => this.at[v]);
             this.polygons.push({ f, corners });
-            if (is_inside_out(corners)) return;
+            if (hidden(f, corners)) return;
             svg("polygon", { class: "face" + (lit.has(f) ? " lit" : "") +
-                                 (f === this.state.face ? " current" : ""),
+                                 (f === face ? " current" : ""),
                              points: corners.join(" ") }, layer);
         };
         if (this.table.length)
@@ -257,6 +304,7 @@ class MeshDrawing {
         const lit = new Set(this.state.vertices);
         const used = new Set(this.edges.flat());
         this.at.forEach((p, v) => {
+            if (!p || (v >= this.point_count && !used.has(v))) return;
             const group = svg("g", { class: "vertex" +
                 (lit.has(v) ? " lit" : "") + (used.has(v) ? "" : " unused") +
                 (v === this.state.vertex ? " current" : "") }, layer);
@@ -270,32 +318,49 @@ class MeshDrawing {
 
     /** All that have a role first; in a dense mesh only what is near them. */
     draw_labels() {
-        const { current, next, opp, flags = {}, half_edges = [] } = this.state;
+        const { current, next, opp, flags = {}, half_edges = [],
+                seen = [] } = this.state;
         this.labels.lines = this.arrows.filter(Boolean);
         const chosen = [current, next, opp, ...Object.keys(flags).map(Number),
-                        ...half_edges].filter((h) => this.arrows[h]);
+                        ...half_edges, ...seen].filter((h) => this.arrows[h]);
         const first = new Set(chosen);
         const by_length = [...this.labels.lines].sort((a, b) =>
             a.length - b.length || a.h - b.h);
         this.boxes = new Map();
-        if (this.dense)
-            for (const v of this.state.vertices || []) this.label_vertex(v);
-        if (this.dense) this.label_half_edges([...first]);
-        else if (!this.label_half_edges(by_length.map(({ h }) => h))) {
-            this.relabel([...first], by_length.map(({ h }) => h));
-        }
+        if (this.dense) this.label_some([...first]);
+        else this.label_all(by_length.map(({ h }) => h), [...first]);
         this.draw_boxes();
         this.draw_flags(flags);
         this.draw_face_labels();
     }
 
-    /** Not all fit: those with a role get their places before the others. */
-    relabel(first, all) {
-        for (const box of this.boxes.values())
-            this.labels.taken.splice(this.labels.taken.indexOf(box), 1);
-        this.boxes.clear();
+    /** In a dense mesh: these half-edges and the vertices that they leave. */
+    label_some(half_edges) {
+        const lit = new Set(this.state.vertices);
+        lit.forEach((v) => this.label_vertex(v, "vertex-label lit"));
+        this.label_half_edges(half_edges);
+        for (const v of new Set(half_edges.map((h) => this.table[h][0])))
+            if (!lit.has(v)) this.label_vertex(v, "vertex-label");
+    }
+
+    /** Those that found no place get theirs first in the next attempt. */
+    label_all(order, first) {
+        for (let attempt = 0; attempt < 8; ++attempt) {
+            this.clear_labels();
+            if (this.label_half_edges(order)) return;
+            const placed = (h) => this.boxes.has(h);
+            order = [...order.filter((h) => !placed(h)),
+                     ...order.filter(placed)];
+        }
+        this.clear_labels();
         this.label_half_edges(first);
-        this.label_half_edges(all.filter((h) => !this.boxes.has(h)));
+        this.label_half_edges(order.filter((h) => !this.boxes.has(h)));
+    }
+
+    clear_labels() {
+        const mine = new Set(this.boxes.values());
+        this.labels.taken = this.labels.taken.filter((b) => !mine.has(b));
+        this.boxes.clear();
     }
 
     /** Whether all have found a place. */
@@ -323,7 +388,7 @@ class MeshDrawing {
         return places;
     }
 
-    label_vertex(v) {
+    label_vertex(v, classes) {
         const [x, y] = this.at[v] || [];
         if (x === undefined) return;
         const side = 2 * this.radius;
@@ -331,7 +396,7 @@ class MeshDrawing {
             { x, y, w: side, h: side },
             text_width("V" + v, this.font) + 0.3 * this.font,
             1.2 * this.font));
-        if (box) this.draw_box(box, "V" + v, "vertex-label lit");
+        if (box) this.draw_box(box, "V" + v, classes);
     }
 
     draw_boxes() {
@@ -367,10 +432,12 @@ class MeshDrawing {
         for (const { f, corners } of this.polygons) {
             const named = lit.has(f) || f === this.state.face;
             if (this.dense && !named) continue;
-            if (is_inside_out(corners) && turned.length > 1) continue;
+            const behind = is_inside_out(corners);
+            const through = named && this.state.both_sides;
+            if (behind && turned.length > 1 && !through) continue;
             const w = text_width("F" + f, this.font) + 0.1 * this.font;
             const size = { w, h: 1.1 * this.font };
-            const box = this.labels.place(is_inside_out(corners)
+            const box = this.labels.place(behind && !through
                 ? corner_places(this.frame, size)
                 : inner_places(corners, size, this.offset));
             if (box) this.draw_box(box, "F" + f,

@@ -118,7 +118,8 @@ std::string euler_picture() {
                               counted("torus", torus(3, 3), View::cut_open),
                               counted("Möbius strip", zoo::moebius3q().mesh,
                                       View::cut_open),
-                              counted("hourglass", zoo::hourglass().mesh)})}})
+                              counted("hourglass", zoo::hourglass().mesh,
+                                      View::cut_open)})}})
         .text();
 }
 

@@ -48,9 +48,9 @@ const query_case = {
     make(place) {
         const { points, faces, table, vertex, search, walk } = query;
         const left = cost_column(place, "list of faces: search it",
-                                 { points, faces });
+                                 { points, faces, sparse: true });
         const right = cost_column(place, "half-edges: walk round the vertex",
-                                  { points, faces, table });
+                                  { points, faces, table, sparse: true });
         return (k) => {
             left.picture.show({
                 face: k ? search[k - 1].face : undefined,

@@ -58,7 +58,7 @@ function euler_sentence(mesh, k) {
 
 /** What is lit: all that was counted; in the step of the border, that. */
 function euler_mesh_state(mesh, k) {
-    if (k === mesh.elements.length + 3)
+    if (k === mesh.elements.length + 3 && mesh.loops.length)
         return { edges: mesh.loops.flat(),
                  vertices: mesh.loops.flat(2) };
     const counted = mesh.elements.slice(0, k);

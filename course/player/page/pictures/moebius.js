@@ -52,7 +52,7 @@ function strip_state(strip, k) {
         arrows[step.neighbour].roles[name] = "other";
     }
     return { arrows, faces: [...senses.keys()],
-             face: k > 0 && step ? step.neighbour : k ? undefined : 0 };
+             vertices: k > 0 && step ? step.edge : [] };
 }
 
 function strip_case(strip) {

@@ -9,19 +9,30 @@ const edge_name = ([a, b]) => Math.min(a, b) + "," + Math.max(a, b);
 
 const centre_of = (places) => mean([...places.keys()], places);
 
-/** Over which edges all faces are reached from face 0, the nearest first. */
+/** The faces across the sides of face f, with the edges. */
+function neighbours_of(faces, f) {
+    return face_sides(faces[f]).flatMap((edge) => {
+        const neighbour = faces.findIndex((face, g) => g !== f &&
+            face_sides(face).some((side) =>
+                edge_name(side) === edge_name(edge)));
+        return neighbour < 0 ? [] : [{ face: f, neighbour, edge }];
+    });
+}
+
+/** Over which edges the faces are reached, the nearest to face 0 first; a face
+    that is not reached begins anew, and has no edge. */
 function links_of(faces) {
-    const reached = [0];
+    const reached = new Set([0]);
     const links = [];
-    for (let k = 0; k < reached.length; ++k)
-        for (const edge of face_sides(faces[reached[k]]))
-            faces.forEach((face, neighbour) => {
-                if (reached.includes(neighbour)) return;
-                if (!face_sides(face).some((side) =>
-                    edge_name(side) === edge_name(edge))) return;
-                reached.push(neighbour);
-                links.push({ face: reached[k], neighbour, edge });
-            });
+    const follow = (link) => {
+        if (reached.has(link.neighbour)) return;
+        reached.add(link.neighbour);
+        links.push(link);
+    };
+    faces.forEach((_, start) => {
+        follow({ neighbour: start });
+        for (const f of reached) neighbours_of(faces, f).forEach(follow);
+    });
     return links;
 }
 
@@ -54,6 +65,11 @@ function unfold(faces, links = links_of(faces)) {
     };
     put(0, faces[0], [0, 0], [1, 0]);
     for (const { face, neighbour, edge } of links) {
+        if (!edge) {
+            const right = extent(places.flat())[0][1] + 1.3;
+            put(neighbour, faces[neighbour], [right, 0], [right + 1, 0]);
+            continue;
+        }
         const [a, b] = edge.map((v) => places[face][faces[face].indexOf(v)]);
         const centre = centre_of(places[face]);
         const left = turn(a, b, centre) > 0;  // the neighbour lies beyond
@@ -61,6 +77,12 @@ function unfold(faces, links = links_of(faces)) {
             ...(left ? [b, a] : [a, b]));
     }
     return places;
+}
+
+function turned_by(flat, degrees) {
+    const [c, s] = [Math.cos, Math.sin].map((of) => of(degrees * Math.PI / 180));
+    return flat.map((corners) => corners.map(([x, y]) =>
+        [c * x - s * y, s * x + c * y]));
 }
 
 class NetPicture {
@@ -93,14 +115,22 @@ class NetPicture {
         this.draw_vertices();
     }
 
+    /** this.at: the corners in the frame, turned so that they are large. */
     fit(width, height) {
-        const [x, y] = extent(this.flat.flat());
         const margin = 1.6 * this.font;
-        this.scale = Math.min((width - 2 * margin) / (x[1] - x[0]),
-                              (height - 2 * margin) / (y[1] - y[0]));
-        this.at = this.flat.map((corners) => corners.map((p) => [
-            width / 2 + this.scale * (p[0] - (x[0] + x[1]) / 2),
-            height / 2 - this.scale * (p[1] - (y[0] + y[1]) / 2)]));
+        const fits = [0, 30, 60, 90, 120, 150].map((degrees) => {
+            const flat = turned_by(this.flat, degrees);
+            const [x, y] = extent(flat.flat());
+            return { flat, x, y, scale: Math.min(
+                (width - 2 * margin) / (x[1] - x[0]),
+                (height - 2 * margin) / (y[1] - y[0])) };
+        });
+        const { flat, x, y, scale } = fits.reduce((best, other) =>
+            other.scale > 1.05 * best.scale ? other : best);
+        this.scale = scale;
+        this.at = flat.map((corners) => corners.map((p) => [
+            width / 2 + scale * (p[0] - (x[0] + x[1]) / 2),
+            height / 2 - scale * (p[1] - (y[0] + y[1]) / 2)]));
     }
 
     classes(name, lit, current) {

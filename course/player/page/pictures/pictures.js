@@ -33,13 +33,13 @@ function mesh_pane(place, mesh, share = 1) {
  * Nothing but the case and k decides what is shown.
  */
 class Cases {
-    constructor(cases) {
+    constructor(cases, keys) {
         this.cases = cases;
         this.place = document.getElementById("picture");
         this.say = document.getElementById("say");
         document.getElementById("title").textContent = document.title;
         this.stepper = new Stepper(document.getElementById("transport"), {
-            draw: (k) => this.draw(k), keys: this.keys() });
+            draw: (k) => this.draw(k), keys: { ...this.keys(), ...keys } });
         this.make_buttons(document.getElementById("choices"));
         this.follow_link();
         addEventListener("hashchange", () => this.follow_link());
@@ -91,7 +91,10 @@ class Cases {
     }
 }
 
-/** Makes the page; the browser tests find it as window.player. */
-function show_cases(cases) {
-    window.player = new Cases(cases);
+/**
+ * Makes the page; the browser tests find it as window.player. `keys` are those
+ * of the picture itself, as Stepper takes them.
+ */
+function show_cases(cases, keys = {}) {
+    window.player = new Cases(cases, keys);
 }

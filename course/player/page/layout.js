@@ -138,13 +138,21 @@ function extent(flat) {
                               Math.max(...flat.map((p) => p[d]))]);
 }
 
-/** The less the better: crossings, and vertices too near to edges. */
-function layout_cost(flat, edges) {
+/** The part of the faces that run clockwise, as if seen from behind. */
+function turned_over(flat, faces) {
+    const area = (face) => face.slice(2).reduce((sum, v, k) =>
+        sum + turn(flat[face[0]], flat[face[k + 1]], flat[v]), 0);
+    return faces.filter((face) => area(face) < 0).length / (faces.length || 1);
+}
+
+/** The less the better: crossings, vertices near to edges, faces turned. */
+function layout_cost(flat, edges, faces) {
     let crossings = 0;
     for (let j = 0; j < edges.length; ++j)
         for (let k = 0; k < j; ++k)
             if (cross_each_other(edges[j], edges[k], flat)) ++crossings;
-    return crossings + 0.05 / (spacing(flat, edges) + 1e-4);
+    return crossings + 0.05 / (spacing(flat, edges) + 1e-4) +
+        turned_over(flat, faces);
 }
 
 /** Each layout worth trying, made when it is asked for. */
@@ -171,11 +179,12 @@ function flat_layout(points, faces, edges) {
     const solid = points.map((p) => [p[0], p[1], p[2] || 0]);
     const from_above = seen_from(solid, [0, 0, 1]);
     if (!edges.length || edges.length > 900) return from_above;
+    const enough = solid.every((p) => p[2] === solid[0][2]) ? 1 : 0.45;
     let best = null;
     for (const flat of layouts(solid, faces, edges)) {
-        const cost = layout_cost(flat, edges);
+        const cost = layout_cost(flat, edges, faces);
         if (!best || cost < best.cost) best = { flat, cost };
-        if (cost < 1) break;
+        if (cost < enough) break;
     }
     return best.flat;
 }

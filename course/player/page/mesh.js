@@ -137,7 +137,7 @@ class MeshPicture {
      *   face, edge, vertex               the one that it is about
      *   both_sides    lit faces are drawn, too, if seen from behind
      *   flags         {h: [names]}: signs at half-edges, names of variables
-     *   start         half-edge that has the mark of the start
+     *   outline       true: the edges of `faces` are drawn, too
      */
     show(state) {
         this.state = state;
@@ -262,12 +262,13 @@ class MeshDrawing {
 
     draw_edges(layer) {
         const name = ([a, b]) => Math.min(a, b) + "," + Math.max(a, b);
-        const lit = new Set((this.state.edges || []).map(name));
-        const current = this.state.edge && name(this.state.edge);
-        for (const [a, b] of this.edges)
+        const { edges = [], edge, outline } = this.state;
+        const lit = new Set(edges.map(name));
+        const all = outline ? edges_of([], this.faces) : [];
+        for (const [a, b] of [...all, ...this.edges])
             svg("path", { class: "edge" +
                 (lit.has(name([a, b])) ? " lit" : "") +
-                (current === name([a, b]) ? " current" : ""),
+                (edge && name(edge) === name([a, b]) ? " current" : ""),
                           d: `M${this.at[a]}L${this.at[b]}` }, layer);
     }
 
@@ -425,7 +426,7 @@ class MeshDrawing {
         }
     }
 
-    /** Where a face has most room; outside for the one that is turned over. */
+    /** Where a face has most room; in a corner for the one that is behind. */
     draw_face_labels() {
         const lit = new Set(this.state.faces);
         const turned = this.polygons.filter((p) => is_inside_out(p.corners));
@@ -435,12 +436,13 @@ class MeshDrawing {
             const behind = is_inside_out(corners);
             const through = named && this.state.both_sides;
             if (behind && turned.length > 1 && !through) continue;
-            const w = text_width("F" + f, this.font) + 0.1 * this.font;
+            const text = "F" + f + (behind ? " behind" : "");
+            const w = text_width(text, this.font) + 0.1 * this.font;
             const size = { w, h: 1.1 * this.font };
             const box = this.labels.place(behind && !through
                 ? corner_places(this.frame, size)
                 : inner_places(corners, size, this.offset));
-            if (box) this.draw_box(box, "F" + f,
+            if (box) this.draw_box(box, text,
                                    "face-label" + (lit.has(f) ? " lit" : ""));
         }
     }

@@ -45,7 +45,7 @@ function integers_sentence(mesh, k) {
     const { vertices, edges, faces, structures } = mesh;
     if (k === 0)
         return `${vertices} vertices, ${edges} edges, ${faces} faces: what ` +
-            `does a ${mesh.face} cost, positions apart?`;
+            `does a ${mesh.face} cost?`;
     const shares = `For each ${mesh.face} there are ` +
         `${rounded(vertices / faces)} vertices and ${rounded(edges / faces)} ` +
         "edges: that decides";

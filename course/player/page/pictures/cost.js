@@ -33,7 +33,8 @@ function query_sentence(k) {
     const left = `The list looks at F${face.face}: ` +
         (face.found ? "found" : "not at V" + vertex);
     if (k < walk.length)
-        return `${left}. The walk is at H${walk[k - 1].i}: F${walk[k - 1].face}`;
+        return `${left}. The walk is at H${walk[k - 1].i}: ` +
+            `F${walk[k - 1].face}`;
     if (k === walk.length)
         return `The walk is round V${vertex} and done: ` +
             `${walk.at(-1).reads} reads. The list must go on`;

@@ -37,13 +37,24 @@ function last_sentences(mesh) {
         (genus ? count_of(genus, "handle") : "no handle")];
 }
 
-function element_sentence(element, before, after) {
-    const [kind] = Object.keys(element);
-    const name = kind === "edge" ? `The edge V${element.edge.join("–V")}`
-        : (kind === "vertex" ? "V" : "F") + element[kind];
-    const sign = kind === "edge" ? "minus one" : "plus one";
-    return `${name}: ${sign}, ${minus(before.euler)} becomes ` +
-        minus(after.euler);
+/** "2 − 3 + 1 = 0": a face with those of its vertices and edges that did not
+    come before. */
+function brought(elements) {
+    const before = elements.slice(0, -1);
+    const last = before.findLastIndex((element) => "face" in element);
+    const { vertex, edge, euler } = counts_of(elements.slice(last + 1));
+    return `${vertex} − ${edge} + 1 = ${minus(euler)}`;
+}
+
+/** The sentence of the last of the elements. */
+function element_sentence(elements) {
+    const { vertex, edge, face } = elements.at(-1);
+    if (face !== undefined)
+        return `F${face}: plus one. All that it brought: ${brought(elements)}`;
+    const [before, after] = [elements.slice(0, -1), elements].map((counted) =>
+        minus(counts_of(counted).euler));
+    return (edge ? `The edge V${edge.join("–V")}: minus` : `V${vertex}: plus`) +
+        ` one, ${before} becomes ${after}`;
 }
 
 function euler_sentence(mesh, k) {
@@ -52,8 +63,7 @@ function euler_sentence(mesh, k) {
         "minus one";
     if (k > elements.length)
         return last_sentences(mesh)[k - elements.length - 1];
-    return element_sentence(elements[k - 1], counts_of(elements.slice(0, k - 1)),
-                            counts_of(elements.slice(0, k)));
+    return element_sentence(elements.slice(0, k));
 }
 
 /** What is lit: all that was counted; in the step of the border, that. */

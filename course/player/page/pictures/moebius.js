@@ -10,7 +10,8 @@ function senses_after(steps, count) {
     return senses;
 }
 
-const fails = (strip) => strip.steps.some(({ alike, first }) => alike && !first);
+const fails = (strip) =>
+    strip.steps.some(({ alike, first }) => alike && !first);
 
 /** The last step, when nothing is left to compare. */
 function strip_result(strip) {

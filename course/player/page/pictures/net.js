@@ -80,7 +80,8 @@ function unfold(faces, links = links_of(faces)) {
 }
 
 function turned_by(flat, degrees) {
-    const [c, s] = [Math.cos, Math.sin].map((of) => of(degrees * Math.PI / 180));
+    const angle = degrees * Math.PI / 180;
+    const [c, s] = [Math.cos(angle), Math.sin(angle)];
     return flat.map((corners) => corners.map(([x, y]) =>
         [c * x - s * y, s * x + c * y]));
 }

@@ -133,12 +133,12 @@ std::vector<int> numbers_of(const JsonValue& mesh) {
 }  // namespace
 
 TEST_CASE("values become JSON as a page reads it") {
-    const Json json = Json::object(
-        {{"row", HalfEdge{4, -1, 11, 3}},
-         {"point", Vec3{0.5, 0, -2}},
-         {"lists", std::vector<std::vector<int>>{{1, 2}, {}}},
-         {"text", "a \"quoted\" \\"},
-         {"flags", Json::array({true, false})}});
+    const Json json =
+        Json::object({{"row", HalfEdge{4, -1, 11, 3}},
+                      {"point", Vec3{0.5, 0, -2}},
+                      {"lists", std::vector<std::vector<int>>{{1, 2}, {}}},
+                      {"text", "a \"quoted\" \\"},
+                      {"flags", Json::array({true, false})}});
     CHECK(json.text() ==
           R"({"row":[4,-1,11,3],"point":[0.5,0,-2],"lists":[[1,2],[]],)"
           R"("text":"a \"quoted\" \\","flags":[true,false]})");

@@ -203,6 +203,7 @@ class MeshDrawing {
                label_layer] = ["faces", "edges", "links", "arrows", "vertices",
                                "labels"].map(this.layer);
         this.label_layer = label_layer;
+        this.drawn = new Map();
         this.arrows = this.table.map((row, h) => this.arrow(h));
         this.draw_faces(face_layer);
         this.draw_edges(edge_layer);
@@ -222,7 +223,7 @@ class MeshDrawing {
         const [ux, uy] = unit(subtract(b, a));
         const [nx, ny] = [uy, -ux];
         const cut = Math.min(this.radius + 0.35 * this.font, 0.3 * length);
-        const shift = this.offset * (1 + 2 * this.twins_before(h, from, to));
+        const shift = this.offset * (1 + 2 * this.twins_before(from, to));
         return {
             h, length, ux, uy, nx, ny,
             x1: a[0] + ux * cut + nx * shift, y1: a[1] + uy * cut + ny * shift,
@@ -231,33 +232,36 @@ class MeshDrawing {
     }
 
     /** In a wrong table two half-edges may run alike: side by side then. */
-    twins_before(h, from, to) {
-        let count = 0;
-        for (let k = 0; k < h; ++k)
-            if (this.table[k][0] === from && tip_of(this.table, k) === to)
-                ++count;
+    twins_before(from, to) {
+        const key = from + "," + to;
+        const count = this.drawn.get(key) || 0;
+        this.drawn.set(key, count + 1);
         return count;
     }
 
     draw_faces(layer) {
-        const { faces = [], face, both_sides = false } = this.state;
-        const lit = new Set(faces);
-        const hidden = (f, corners) => is_inside_out(corners) &&
-            !(both_sides && (lit.has(f) || f === face));
+        const lit = this.faces_with_role();
         this.polygons = [];
         const add = (f, vertices) => {
             if (vertices.some((v) => !this.at[v])) return;
             const corners = vertices.map((v) => this.at[v]);
             this.polygons.push({ f, corners });
-            if (hidden(f, corners)) return;
+            if (this.is_behind(f, corners)) return;
             svg("polygon", { class: "face" + (lit.has(f) ? " lit" : "") +
-                                 (f === face ? " current" : ""),
+                                 (f === this.state.face ? " current" : ""),
                              points: corners.join(" ") }, layer);
         };
         if (this.table.length)
             for (const [f, loop] of face_loops(this.table))
                 add(f, loop.map((h) => this.table[h][0]));
-        else this.faces.forEach((face, f) => add(f, face));
+        else for (const f of this.faces_in_order(lit)) add(f, this.faces[f]);
+    }
+
+    /** Those that are lit lie on top where they may be hidden. */
+    faces_in_order(lit) {
+        const all = [...this.faces.keys()];
+        if (!this.state.both_sides) return all;
+        return [...all.filter((f) => !lit.has(f)), ...lit];
     }
 
     draw_edges(layer) {
@@ -317,22 +321,42 @@ class MeshDrawing {
         });
     }
 
-    /** All that have a role first; in a dense mesh only what is near them. */
+    /** Of a dense mesh only what is near to half-edges with a role. */
     draw_labels() {
+        this.labels.lines = this.arrows.filter(Boolean);
+        this.boxes = new Map();
+        const first = this.half_edges_with_role();
+        const all = [...this.labels.lines].sort((a, b) =>
+            a.length - b.length || a.h - b.h).map(({ h }) => h);
+        const lit = this.faces_with_role();
+        if (this.dense) this.label_some(first);
+        else if (lit.size) this.label_half_edges(first);
+        else this.label_all(all, first);
+        this.draw_face_labels((f) => lit.has(f), "face-label lit");
+        if (!this.dense)
+            this.label_half_edges(all.filter((h) => !this.boxes.has(h)));
+        this.draw_boxes();
+        this.draw_flags(this.state.flags || {});
+        if (!this.dense)
+            this.draw_face_labels((f) => !lit.has(f), "face-label");
+    }
+
+    is_behind(f, corners) {
+        return is_inside_out(corners) &&
+            !(this.state.both_sides && this.faces_with_role().has(f));
+    }
+
+    faces_with_role() {
+        const { faces = [], face } = this.state;
+        return new Set(face === undefined ? faces : [...faces, face]);
+    }
+
+    half_edges_with_role() {
         const { current, next, opp, flags = {}, half_edges = [],
                 seen = [] } = this.state;
-        this.labels.lines = this.arrows.filter(Boolean);
-        const chosen = [current, next, opp, ...Object.keys(flags).map(Number),
-                        ...half_edges, ...seen].filter((h) => this.arrows[h]);
-        const first = new Set(chosen);
-        const by_length = [...this.labels.lines].sort((a, b) =>
-            a.length - b.length || a.h - b.h);
-        this.boxes = new Map();
-        if (this.dense) this.label_some([...first]);
-        else this.label_all(by_length.map(({ h }) => h), [...first]);
-        this.draw_boxes();
-        this.draw_flags(flags);
-        this.draw_face_labels();
+        return [...new Set([
+            current, next, opp, ...Object.keys(flags).map(Number),
+            ...half_edges, ...seen].filter((h) => this.arrows[h]))];
     }
 
     /** In a dense mesh: these half-edges and the vertices that they leave. */
@@ -355,7 +379,6 @@ class MeshDrawing {
         }
         this.clear_labels();
         this.label_half_edges(first);
-        this.label_half_edges(order.filter((h) => !this.boxes.has(h)));
     }
 
     clear_labels() {
@@ -421,29 +444,24 @@ class MeshDrawing {
             const text = names.join(" ");
             const box = this.labels.place(around_box(
                 own, text_width(text, this.font) + 0.4 * this.font,
-                1.15 * this.font));
+                1.3 * this.font));
             if (box) this.draw_box(box, text, "flag");
         }
     }
 
     /** Where a face has most room; in a corner for the one that is behind. */
-    draw_face_labels() {
-        const lit = new Set(this.state.faces);
+    draw_face_labels(wanted, classes) {
         const turned = this.polygons.filter((p) => is_inside_out(p.corners));
         for (const { f, corners } of this.polygons) {
-            const named = lit.has(f) || f === this.state.face;
-            if (this.dense && !named) continue;
-            const behind = is_inside_out(corners);
-            const through = named && this.state.both_sides;
-            if (behind && turned.length > 1 && !through) continue;
+            const behind = this.is_behind(f, corners);
+            if (!wanted(f) || (behind && turned.length > 1)) continue;
             const text = "F" + f + (behind ? " behind" : "");
             const w = text_width(text, this.font) + 0.1 * this.font;
             const size = { w, h: 1.1 * this.font };
-            const box = this.labels.place(behind && !through
+            const box = this.labels.place(behind
                 ? corner_places(this.frame, size)
                 : inner_places(corners, size, this.offset));
-            if (box) this.draw_box(box, text,
-                                   "face-label" + (lit.has(f) ? " lit" : ""));
+            if (box) this.draw_box(box, text, classes);
         }
     }
 

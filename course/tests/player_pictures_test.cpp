@@ -130,6 +130,43 @@ std::vector<int> numbers_of(const JsonValue& mesh) {
     return all;
 }
 
+// ---- elements
+
+/// What was counted so far; complains of what is counted twice or too early.
+class Elements {
+public:
+    void count(const JsonValue& element, const IndexedMesh& mesh) {
+        if (element.has("vertex"))
+            CHECK(vertices_.insert(element["vertex"].integer()).second);
+        if (element.has("edge"))
+            count_edge(element["edge"][0].integer(),
+                       element["edge"][1].integer());
+        if (element.has("face")) count_face(element["face"].integer(), mesh);
+    }
+
+    int euler() const {
+        return static_cast<int>(vertices_.size() + faces_.size()) -
+               static_cast<int>(edges_.size());
+    }
+
+private:
+    void count_edge(int a, int b) {
+        CHECK(edges_.insert(std::minmax(a, b)).second);
+        CHECK((vertices_.contains(a) && vertices_.contains(b)));
+    }
+
+    void count_face(int f, const IndexedMesh& mesh) {
+        CHECK(faces_.insert(f).second);
+        IndexedMesh alone{mesh.positions, {}, {}};
+        alone.faces.push_back(mesh.faces[f]);
+        for (const auto& [edge, count] : brute::edges_of(alone))
+            CHECK(edges_.contains(edge));
+    }
+
+    std::set<int> vertices_, faces_;
+    std::set<std::pair<int, int>> edges_;
+};
+
 }  // namespace
 
 TEST_CASE("values become JSON as a page reads it") {
@@ -209,29 +246,10 @@ TEST_CASE("elements are counted once, a face after its edges and vertices") {
     for (const JsonValue& shown : data["meshes"].items) {
         CAPTURE(shown["name"].text);
         const IndexedMesh mesh = mesh_of(shown);
-        std::set<int> vertices;
-        std::set<std::pair<int, int>> edges;
-        std::set<int> faces;
-        for (const JsonValue& element : shown["elements"].items) {
-            if (element.has("vertex"))
-                CHECK(vertices.insert(element["vertex"].integer()).second);
-            if (element.has("edge")) {
-                const int a = element["edge"][0].integer();
-                const int b = element["edge"][1].integer();
-                CHECK(edges.insert(std::minmax(a, b)).second);
-                CHECK((vertices.contains(a) && vertices.contains(b)));
-            }
-            if (!element.has("face")) continue;
-            const int f = element["face"].integer();
-            CHECK(faces.insert(f).second);
-            IndexedMesh alone{mesh.positions, {}, {}};
-            alone.faces.push_back(mesh.faces[f]);
-            for (const auto& [edge, count] : brute::edges_of(alone))
-                CHECK(edges.contains(edge));
-        }
-        CHECK(static_cast<int>(vertices.size() + faces.size()) -
-                  static_cast<int>(edges.size()) ==
-              brute::euler_of(mesh));
+        Elements elements;
+        for (const JsonValue& element : shown["elements"].items)
+            elements.count(element, mesh);
+        CHECK(elements.euler() == brute::euler_of(mesh));
         CHECK(shown["pieces"].items.size() ==
               brute::components_of(mesh).size());
         CHECK(static_cast<int>(shown["loops"].items.size()) ==

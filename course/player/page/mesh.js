@@ -17,12 +17,15 @@ function tip_of(table, h) {
     return next && next[0] !== row[0] ? next[0] : -1;
 }
 
+/** The same for both directions of an edge. */
+const edge_name = ([a, b]) => Math.min(a, b) + "," + Math.max(a, b);
+
 /** Edges as pairs of vertices, each once, of the table or of the faces. */
 function edges_of(table, faces) {
     const found = new Map();
     const add = (a, b) => {
         if (a >= 0 && b >= 0 && a !== b)
-            found.set(Math.min(a, b) + "," + Math.max(a, b), [a, b]);
+            found.set(edge_name([a, b]), [a, b]);
     };
     for (let h = 0; h < table.length; ++h) add(table[h][0], tip_of(table, h));
     if (!table.length)
@@ -265,15 +268,16 @@ class MeshDrawing {
     }
 
     draw_edges(layer) {
-        const name = ([a, b]) => Math.min(a, b) + "," + Math.max(a, b);
         const { edges = [], edge, outline } = this.state;
-        const lit = new Set(edges.map(name));
+        const lit = new Set(edges.map(edge_name));
+        const current = edge && edge_name(edge);
         const all = outline ? edges_of([], this.faces) : [];
-        for (const [a, b] of [...all, ...this.edges])
-            svg("path", { class: "edge" +
-                (lit.has(name([a, b])) ? " lit" : "") +
-                (edge && name(edge) === name([a, b]) ? " current" : ""),
+        for (const [a, b] of [...all, ...this.edges]) {
+            const name = edge_name([a, b]);
+            svg("path", { class: "edge" + (lit.has(name) ? " lit" : "") +
+                              (name === current ? " current" : ""),
                           d: `M${this.at[a]}L${this.at[b]}` }, layer);
+        }
     }
 
     /** The classes of half-edge h: what it is in the state. */

@@ -5,8 +5,6 @@
 const face_sides = (face) =>
     face.map((v, k) => [v, face[(k + 1) % face.length]]);
 
-const edge_name = ([a, b]) => Math.min(a, b) + "," + Math.max(a, b);
-
 const centre_of = (places) => mean([...places.keys()], places);
 
 /** The faces across the sides of face f, with the edges. */

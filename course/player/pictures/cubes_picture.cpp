@@ -1,5 +1,8 @@
 #include "course/player/pictures/cubes_picture.h"
 
+#include <algorithm>
+
+#include "course/mesh/marching_cubes_table.h"
 #include "course/player/pictures/pictures.h"
 #include "course/player/pictures/shapes.h"
 #include "course/player/reference.h"
@@ -29,15 +32,28 @@ int case_of(const DensityGrid& cell, double at_level) {
     return number;
 }
 
+/// The edges of the table's row, up to its end.
+std::vector<int> row_of_case(int number) {
+    const auto& row = cell_triangles[static_cast<std::size_t>(number)];
+    return {row.begin(), std::find(row.begin(), row.end(), -1)};
+}
+
+Json cell_json(const MarchedCell& cell) {
+    return Json::object(
+        {{"at", Json::array({cell.at[0], cell.at[1], cell.at[2]})},
+         {"number", cell.number},
+         {"row", row_of_case(cell.number)},
+         {"mesh", mesh_json(cell.mesh)}});
+}
+
 Json grid_json(const DensityGrid& grid) {
     std::vector<Json> cells;
     for (const MarchedCell& cell : marched_cells(grid, level))
-        cells.push_back(Json::object(
-            {{"at", Json::array({cell.at[0], cell.at[1], cell.at[2]})},
-             {"number", cell.number},
-             {"mesh", mesh_json(cell.mesh)}}));
+        cells.push_back(cell_json(cell));
+    const Reference<decltype(marching_cubes)> march("marching_cubes");
     return Json::object({{"size", Json::array({grid.nx, grid.ny, grid.nz})},
                          {"density", grid.density},
+                         {"whole", mesh_json(march(grid, level))},
                          {"cells", cells}});
 }
 
@@ -80,7 +96,11 @@ DensityGrid two_cells() {
 }
 
 std::string cubes_picture() {
+    std::vector<Json> edges;
+    for (const auto& [from, to] : cell_edges)
+        edges.push_back(Json::array({from, to}));
     return Json::object({{"level", level},
+                         {"edges", edges},
                          {"blob", grid_json(blob())},
                          {"two_cells", grid_json(two_cells())}})
         .text();

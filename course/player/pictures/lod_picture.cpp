@@ -18,7 +18,7 @@ std::vector<Level> levels_of(const IndexedMesh& mesh, int most) {
 }
 
 std::string lod_picture() {
-    const IndexedMesh mesh = pawn(24);
+    const IndexedMesh mesh = pawn();
     std::vector<Json> levels;
     for (const Level& level : levels_of(mesh, 6))
         levels.push_back(

@@ -1,13 +1,10 @@
 #include "course/player/pictures/shapes.h"
 
-#include <fmt/format.h>
-
-#include <array>
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <random>
 #include <set>
-#include <stdexcept>
 
 #include "course/mesh/generators.h"
 
@@ -15,48 +12,31 @@ namespace course {
 
 namespace {
 
-/// Distance from the axis and height, from the middle of the foot to the top.
-constexpr std::array<std::array<double, 2>, 10> profile = {{
-    {0.85, 0},
-    {0.85, 0.2},
-    {0.6, 0.35},
-    {0.5, 0.5},
-    {0.22, 1.05},
-    {0.18, 1.5},
-    {0.45, 1.6},
-    {0.2, 1.7},
-    {0.42, 2.05},
-    {0.3, 2.32},
-}};
-constexpr double top = 2.42;
+/// A ring of a shape round the z axis: a circle, or a square of that half side.
+struct Ring {
+    double radius, height;
+    bool is_square = false;
+};
 
-std::vector<Vec3> ring_points(int sides) {
-    std::vector<Vec3> points = {{0, 0, 0}, {0, 0, top}};
-    for (const auto& [radius, height] : profile)
-        for (int s = 0; s < sides; ++s) {
-            const double angle = 2 * std::numbers::pi * s / sides;
-            points.push_back(
-                {radius * std::cos(angle), radius * std::sin(angle), height});
-        }
-    return points;
+Vec3 on_ring(const Ring& ring, double turns) {
+    const double angle = 2 * std::numbers::pi * turns;
+    const double x = std::cos(angle), y = std::sin(angle);
+    const double radius = ring.is_square
+                              ? ring.radius / std::max(std::abs(x), std::abs(y))
+                              : ring.radius;
+    return {radius * x, radius * y, ring.height};
 }
 
-/// Uneven by up to 1, by the same numbers everywhere.
-double next_noise(std::mt19937& source) {
-    return static_cast<double>(source()) / 2147483648.0 - 1;
-}
-
-}  // namespace
-
-IndexedMesh pawn(int sides) {
-    if (sides < 3)
-        throw std::invalid_argument(
-            fmt::format("a pawn of {} sides, expected 3 or more", sides));
-    IndexedMesh mesh{ring_points(sides), {}, {}};
-    const auto at = [&](int ring, int s) {
-        return 2 + ring * sides + s % sides;
-    };
-    const int last = static_cast<int>(profile.size()) - 1;
+/// Closed: the rings from below to above, with a vertex in the middle of the
+/// first and of the last.
+IndexedMesh turned(const std::vector<Ring>& rings, int sides) {
+    IndexedMesh mesh{
+        {{0, 0, rings.front().height}, {0, 0, rings.back().height}}, {}, {}};
+    for (const Ring& ring : rings)
+        for (int s = 0; s < sides; ++s)
+            mesh.positions.push_back(on_ring(ring, double(s) / sides));
+    const auto at = [&](int r, int s) { return 2 + r * sides + s % sides; };
+    const int last = static_cast<int>(rings.size()) - 1;
     for (int s = 0; s < sides; ++s) {
         mesh.faces.push_back({0, at(0, s + 1), at(0, s)});
         for (int r = 0; r < last; ++r) {
@@ -68,6 +48,42 @@ IndexedMesh pawn(int sides) {
     return mesh;
 }
 
+/// Uneven by up to 1, by the same numbers everywhere.
+double next_noise(std::mt19937& source) {
+    return static_cast<double>(source()) / 2147483648.0 - 1;
+}
+
+}  // namespace
+
+IndexedMesh pawn() {
+    return turned({{0.85, 0},
+                   {0.85, 0.2},
+                   {0.6, 0.35},
+                   {0.5, 0.5},
+                   {0.22, 1.05},
+                   {0.18, 1.5},
+                   {0.45, 1.6},
+                   {0.2, 1.7},
+                   {0.42, 2.05},
+                   {0.3, 2.32}},
+                  24);
+}
+
+IndexedMesh brick() {
+    constexpr bool square = true;
+    return turned({{0.5, 0, square},
+                   {1, 0, square},
+                   {1, 0.2, square},
+                   {1, 0.4, square},
+                   {0.85, 0.4, square},
+                   {0.7, 0.4},
+                   {0.55, 0.4},
+                   {0.55, 0.6},
+                   {0.55, 0.8},
+                   {0.3, 0.8}},
+                  16);
+}
+
 IndexedMesh noisy_sphere() {
     IndexedMesh mesh = icosphere(2);
     std::mt19937 source(1);
@@ -76,17 +92,17 @@ IndexedMesh noisy_sphere() {
 }
 
 IndexedMesh box_corner(Cut cut) {
-    const std::vector<Vec3> corners = {{3, 2, 1}, {0, 2, 1}, {0, 0, 1},
-                                       {3, 0, 1}, {3, 0, 0}, {3, 2, 0},
-                                       {0, 2, 0}, {0, 1, 1}, {1.5, 0, 1}};
+    const std::vector<Vec3> corners = {{3, 2, 1}, {0, 2, 1},   {0, 0, 1},
+                                       {3, 0, 1}, {3, 0, 0},   {3, 2, 0},
+                                       {0, 2, 0}, {3, 0, 0.5}, {3, 1, 0}};
     if (cut == Cut::first)
         return {corners,
-                {{0, 1, 7},
-                 {0, 7, 2},
-                 {0, 2, 8},
-                 {0, 8, 3},
-                 {0, 3, 5},
-                 {3, 4, 5},
+                {{0, 1, 2},
+                 {0, 2, 3},
+                 {0, 3, 7},
+                 {0, 7, 4},
+                 {0, 4, 8},
+                 {0, 8, 5},
                  {0, 5, 1},
                  {1, 5, 6}},
                 {}};

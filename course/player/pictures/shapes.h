@@ -9,10 +9,13 @@
 
 namespace course {
 
-/// A pawn of chess, about 2.5 high: closed, 20 * sides triangles wound
-/// outwards, with flat parts, a thin neck, and a ball. Throws
-/// std::invalid_argument when sides is below 3.
-IndexedMesh pawn(int sides);
+/// A pawn of chess, about 2.3 high: closed, 480 triangles wound outwards, with
+/// a flat foot, a thin neck, and a ball.
+IndexedMesh pawn();
+
+/// A building brick of 2 x 2 x 0.4 with one round stud on it: closed, 320
+/// triangles wound outwards, most of them where it is flat.
+IndexedMesh brick();
 
 /// The unit sphere of 162 vertices as a scanner might see it: each vertex
 /// nearer or farther by up to 15 %. Always the same one.
@@ -22,9 +25,9 @@ IndexedMesh noisy_sphere();
 enum class Cut { first, second };
 
 /// Three sides of a box of 3 x 2 x 1 that meet at vertex 0, the corner at
-/// (3, 2, 1), wound outwards. The first cut has four triangles of the top at
-/// that corner, and one of each of the others; the second one of the top, and
-/// two of each of the others.
+/// (3, 2, 1), wound outwards. At that corner, the first cut has four triangles
+/// on the smallest side, two on the top, and one on the other; the second one
+/// on the top, and two on each of the others.
 IndexedMesh box_corner(Cut cut);
 
 /// What a page draws: {"points", "faces"}, to three digits behind the point.

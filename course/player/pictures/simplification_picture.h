@@ -1,5 +1,5 @@
-// Picture "simplification": a pawn by vertex clustering, beside the same number
-// of triangles by edge collapse.
+// Picture "simplification": a brick by vertex clustering, beside the same
+// number of triangles by edge collapse.
 #pragma once
 
 #include <array>

@@ -24,7 +24,7 @@ double bumps_of(const std::vector<Vec3>& positions) {
     return std::sqrt(squares / n - mean * mean) / mean;
 }
 
-constexpr int pairs_shown = 6;
+constexpr int pairs_shown = 8;
 constexpr double laplace = 0.5;
 constexpr double outwards = -0.53;
 

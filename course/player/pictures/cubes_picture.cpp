@@ -5,8 +5,6 @@
 #include "course/mesh/marching_cubes_table.h"
 #include "course/player/pictures/pictures.h"
 #include "course/player/pictures/shapes.h"
-#include "course/player/reference.h"
-#include "exercises/08_making/marching_cubes.h"
 
 namespace course {
 
@@ -46,11 +44,10 @@ Json cell_json(const MarchedCell& cell) {
          {"mesh", mesh_json(cell.mesh)}});
 }
 
-Json grid_json(const DensityGrid& grid) {
+Json grid_json(const DensityGrid& grid, const MarchingCubes& march) {
     std::vector<Json> cells;
-    for (const MarchedCell& cell : marched_cells(grid, level))
+    for (const MarchedCell& cell : marched_cells(grid, level, march))
         cells.push_back(cell_json(cell));
-    const Reference<decltype(marching_cubes)> march("marching_cubes");
     return Json::object({{"size", Json::array({grid.nx, grid.ny, grid.nz})},
                          {"density", grid.density},
                          {"whole", mesh_json(march(grid, level))},
@@ -59,9 +56,8 @@ Json grid_json(const DensityGrid& grid) {
 
 }  // namespace
 
-std::vector<MarchedCell> marched_cells(const DensityGrid& grid,
-                                       double at_level) {
-    const Reference<decltype(marching_cubes)> march("marching_cubes");
+std::vector<MarchedCell> marched_cells(const DensityGrid& grid, double at_level,
+                                       const MarchingCubes& march) {
     std::vector<MarchedCell> cells;
     for (int k = 0; k + 1 < grid.nz; ++k)
         for (int j = 0; j + 1 < grid.ny; ++j)
@@ -96,13 +92,14 @@ DensityGrid two_cells() {
 }
 
 std::string cubes_picture() {
+    const MarchingCubes march("marching_cubes");
     std::vector<Json> edges;
     for (const auto& [from, to] : cell_edges)
         edges.push_back(Json::array({from, to}));
     return Json::object({{"level", level},
                          {"edges", edges},
-                         {"blob", grid_json(blob())},
-                         {"two_cells", grid_json(two_cells())}})
+                         {"blob", grid_json(blob(), march)},
+                         {"two_cells", grid_json(two_cells(), march)}})
         .text();
 }
 

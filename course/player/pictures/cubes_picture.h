@@ -7,8 +7,12 @@
 
 #include "course/mesh/grids.h"
 #include "course/mesh/indexed_mesh.h"
+#include "course/player/reference.h"
+#include "exercises/08_making/marching_cubes.h"
 
 namespace course {
+
+using MarchingCubes = Reference<decltype(marching_cubes)>;
 
 /// What becomes of one cell of a grid.
 struct MarchedCell {
@@ -18,8 +22,8 @@ struct MarchedCell {
 };
 
 /// The cells of the grid that have triangles, along x, then y, then z.
-/// Precondition: has_solutions().
-std::vector<MarchedCell> marched_cells(const DensityGrid& grid, double level);
+std::vector<MarchedCell> marched_cells(const DensityGrid& grid, double level,
+                                       const MarchingCubes& march);
 
 /// A blob of 4 x 4 x 4 points, none of them at the rim inside at level 1.
 DensityGrid blob();

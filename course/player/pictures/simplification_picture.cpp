@@ -62,7 +62,7 @@ std::vector<TwoWays> simplified(const IndexedMesh& mesh,
 std::string simplification_picture() {
     const IndexedMesh mesh = brick();
     std::vector<Json> ways;
-    for (const TwoWays& two : simplified(mesh, {0.15, 0.25, 0.35, 0.5, 0.7}))
+    for (const TwoWays& two : simplified(mesh, {0.25, 0.35, 0.5, 0.7}))
         ways.push_back(
             Json::object({{"cell", two.cell},
                           {"clustered", simpler_json(two.clustered)},

@@ -13,6 +13,10 @@ function case_text(cell) {
                            : String(cell.number);
 }
 
+function density_at({ size: [nx, ny], density }, [x, y, z]) {
+    return density[x + nx * (y + ny * z)];
+}
+
 function points_of({ size: [nx, ny], density }) {
     return density.map((value, n) => ({
         at: [n % nx, Math.floor(n / nx) % ny, Math.floor(n / nx / ny)], value }));
@@ -20,34 +24,48 @@ function points_of({ size: [nx, ny], density }) {
 
 function say_of_cell(cell) {
     const inside = inside_of(cell);
-    return `Corner${inside.length > 1 ? "s" : ""} ${listed(inside)} inside: ` +
+    return `Corner${inside.length > 1 ? "s" : ""} ${listed(inside.map(String))}` +
+        " inside: " +
         `case ${case_text(cell)}, ${count_of(cell.row.length / 3, "triangle")}.`;
 }
 
+/** "Edge 3 goes from 0.6 to 1.35: it passes 1 at 53 % of its length." */
+function say_of_edge(cell, grid) {
+    const [edge] = cell.row, { level, edges } = page_data;
+    const [from, to] = edges[edge].map((c) => density_at(
+        grid, corner_of(cell, c)));
+    return `Edge ${edge} goes from ${from} to ${to}: it passes ${level} at ` +
+        `${percent((level - from) / (to - from))} of its length.`;
+}
+
 /** The first cell slowly: corners, case, row of the table, vertices. */
-function slow_steps(cell) {
-    const [corner] = inside_of(cell);
+function slow_steps(grid) {
+    const [cell] = grid.cells, [corner] = inside_of(cell);
+    const step = { n: 0, near: true };
     return [
-        { n: 0, hide: true, say: "A cell: eight corners. Each is inside or not." },
-        { n: 0, hide: true, row: true, say: `Only corner ${corner} is inside. ` +
+        { ...step, hide: true, corners: true,
+          say: "A cell has eight corners. Each is inside or not." },
+        { ...step, hide: true, corners: true, row: true,
+          say: `Only corner ${corner} is inside. ` +
               `Bit ${corner} alone is the number ${cell.number}.` },
-        { n: 0, hide: true, row: true, edges: true,
+        { ...step, hide: true, row: true, edges: true,
           say: `Row ${cell.number} of the table: a triangle between the edges ` +
-              `${listed(cell.row)}.` },
-        { n: 0, row: true, edges: true,
-          say: "On each edge, where the density passes through the level." },
+              `${listed(cell.row.map(String))}.` },
+        { ...step, row: true, edges: true, say: say_of_edge(cell, grid) },
     ];
 }
 
-function steps_of_blob({ cells, whole, density }) {
+function steps_of_blob(grid) {
+    const { cells, whole, density } = grid;
     const inside = density.filter((value) => value > page_data.level).length;
     const n = whole.faces.length;
     return [
         { n: -1, say: `${density.length} points with a density; ` +
               `${inside} of them above ${page_data.level}: inside.` },
-        ...slow_steps(cells[0]),
+        ...slow_steps(grid),
         ...cells.slice(1).map((cell, k) => (
-            { n: k + 1, row: true, edges: true, say: say_of_cell(cell) })),
+            { n: k + 1, row: true, edges: true, corners: true,
+              say: say_of_cell(cell) })),
         { n: cells.length - 1, all: true,
           say: `${cells.length} cells, ${n} triangles. Neighbours use the same ` +
               "points: no gap." },
@@ -67,8 +85,8 @@ function steps_of_two() {
         { n: 1, row: true, side: true, ways: [0],
           say: "Right cell: the same two lines. There is no gap." },
         { n: 1, side: true, ways: [0, 1], broken: true,
-          say: "If only one of them joined its corners, the surface would " +
-              "have a hole here." },
+          say: "If one of the cells joined its corners instead, there " +
+              "would be a hole." },
     ];
 }
 
@@ -81,7 +99,7 @@ function draw_panel(panel, cell, step) {
     const row = (name, cells, now = () => false) => html("tr", {},
         html("th", {}, name), ...cells.map((text, n) => html("td", {
             class: now(n) ? "now" : "" }, text)));
-    panel.append(html("table", {},
+    if (!step.side) panel.append(html("table", {},
         row("corner", down.map(String)),
         row("inside", down.map(bit), (n) => bit(down[n]) === "1")));
     const triangles = [];
@@ -89,7 +107,7 @@ function draw_panel(panel, cell, step) {
         triangles.push(cell.row.slice(n, n + 3).join(" "));
     if (step.row)
         panel.append(html("p", { class: "big" }, `case ${case_text(cell)}`));
-    if (step.edges)
+    if (step.edges && !step.side)
         panel.append(html("table", {}, ...triangles.map(
             (text, n) => row(`triangle ${n + 1}`, [`edges ${text}`]))));
 }
@@ -113,27 +131,42 @@ function draw_ways(panel, { ways = [] }) {
     }));
 }
 
-function dots_of(grid, cell) {
-    const in_cell = (p) => cell && corners.findIndex(
-        (c) => corner_of(cell, c).every((x, k) => x === p[k]));
-    return points_of(grid).map(({ at, value }) => {
+function dots_of(grid, cell, step) {
+    const in_cell = (p) => step.corners && cell ? corners.findIndex(
+        (c) => corner_of(cell, c).every((x, k) => x === p[k])) : -1;
+    const dots = points_of(grid).map(({ at, value }) => {
         const c = in_cell(at);
         const is_inside = value > page_data.level;
         return { at, is: is_inside ? "cur" : "hollow",
                  size: is_inside ? 0.4 : 0.2,
-                 text: c >= 0 ? String(c) : "", beside: [0.7, -0.5],
+                 text: c >= 0 ? String(c) : "", beside: [0.7, -0.6],
                  lift: c >= 0 ? 0.3 : 0 };
     });
+    return step.near && step.edges ? [...dots, ...names_of_edges(cell)] : dots;
 }
 
-function lines_of(grid, cell, { edges, side }) {
+function names_of_edges(cell) {
+    return cell.row.map((edge) => ({
+        at: vector.mean(page_data.edges[edge].map((c) => corner_of(cell, c))),
+        is: "next", text: `edge ${edge}`, size: 0, lift: 2 }));
+}
+
+/** Where the triangles of the cell end at its side x = 1. */
+function lines_at_side({ mesh: { points, faces } }) {
+    const at_side = (face) => face.filter((v) => points[v][0] === 1);
+    return faces.map(at_side).filter((ends) => ends.length === 2).map(
+        (ends) => ({ at: ends.map((v) => points[v]), is: "cell", lift: 2 }));
+}
+
+function lines_of(grid, cell, step) {
     const lines = [];
     const frame = (of, is, lift) => page_data.edges.forEach(([a, b], e) =>
         lines.push({ at: [corner_of(of, a), corner_of(of, b)], lift,
-                     is: edges && of === cell && cell.row.includes(e)
+                     is: step.edges && of === cell && cell.row.includes(e)
                          ? "next" : is }));
-    if (side) grid.cells.forEach((of) => frame(of, "thin", 0));
+    if (step.side) grid.cells.forEach((of) => frame(of, "thin", 0));
     if (cell) frame(cell, "", 0.2);
+    if (step.side && cell) lines.push(...lines_at_side(cell));
     return lines;
 }
 
@@ -149,22 +182,26 @@ function faces_of(grid, step) {
 
 const view = new View(-25, 22);
 
-function make_case(grid, steps, extra) {
+/** A cell and what lies round it. */
+function frame_of_cell(cell) {
+    return { center: vector.plus(cell.at, [0.5, 0.5, 0.5]), around: 1.1,
+             up: 0.8 };
+}
+
+function make_case(grid, steps, heading) {
     return (place) => {
-        const { solid } = add_solid(place, view, extra.heading,
-                                    frame_of(points_of(grid).map(
-                                        ({ at }) => at)));
-        const panel = html("div", { class: "pane narrow beside case" });
-        const below = html("div", { class: "ways" });
-        const table = html("div");
-        panel.append(table, below);
-        place.append(panel);
+        const all = frame_of(points_of(grid).map(({ at }) => at));
+        const { solid } = add_solid(place, view, heading, all);
+        const table = html("div"), below = html("div", { class: "ways" });
+        place.append(html("div", { class: "pane narrow beside case" },
+                          table, below));
         return (k) => {
             const step = steps[k];
             const cell = step.all ? undefined : grid.cells[step.n];
+            solid.frame = step.near ? frame_of_cell(cell) : all;
             solid.show({ faces: faces_of(grid, step),
                          lines: lines_of(grid, cell, step),
-                         dots: dots_of(grid, cell) });
+                         dots: dots_of(grid, cell, step) });
             draw_panel(table, cell, step);
             draw_ways(below, step);
             return step.say;
@@ -176,7 +213,7 @@ const { blob, two_cells } = page_data;
 const blob_steps = steps_of_blob(blob), two_steps = steps_of_two();
 show_cases([
     { name: "a blob", count: blob_steps.length,
-      make: make_case(blob, blob_steps, { heading: "4 × 4 × 4 points" }) },
+      make: make_case(blob, blob_steps, "4 × 4 × 4 points") },
     { name: "two ways to cut", count: two_steps.length,
-      make: make_case(two_cells, two_steps, { heading: "two cells" }) },
+      make: make_case(two_cells, two_steps, "two cells") },
 ], view.keys());

@@ -11,6 +11,9 @@ function level_at(distance) {
 
 function say_at(distance) {
     const l = level_at(distance);
+    if (l !== level_at(distance - 0.1))
+        return `Level ${l} has edges ${levels[l].from.toFixed(2)} times as ` +
+            "long. Seen from here they are no longer than at first.";
     return `Distance ${distance.toFixed(1)}: level ${l} will do, ` +
         `${levels[l].faces.length} of ${finest} triangles.`;
 }
@@ -48,9 +51,9 @@ function make(place) {
         const { distance, say } = steps[k];
         const level = level_at(distance);
         const { faces } = levels[level];
-        far.solid.radius = frame.radius * distance;
+        far.solid.zoom = 1 / distance;
         for (const { solid } of [far, near])
-            solid.show({ faces: facets({ points, faces }) });
+            solid.show({ faces: closed_facets({ points, faces }) });
         far.note.textContent = `distance ${distance.toFixed(1)}`;
         near.note.textContent =
             `level ${level}: ${count_of(faces.length, "triangle")}`;

@@ -7,7 +7,8 @@ const diagonal = vector.length(vector.minus(
         (most, p) => p.map((x, k) => pick(x, most[k]))))));
 
 function error_of(simpler) {
-    return percent(simpler.error / diagonal, 1);
+    const part = simpler.error / diagonal;
+    return percent(part, part < 1e-9 ? 0 : 1);
 }
 
 /** The vertices by the cube that they lie in, as cluster has it. */
@@ -21,26 +22,38 @@ function cubes_of(cell) {
 }
 
 function say_of_result({ clustered, collapsed }) {
-    const n = clustered.mesh.faces.length;
-    const bad = clustered.bad_edges.length;
-    const pinched = bad
-        ? ` Clustering: ${count_of(bad, "edge")} with too many faces.` : "";
-    return `${n} triangles each. Error: clustering ${error_of(clustered)}, ` +
-        `collapse ${error_of(collapsed)}.${pinched}`;
+    return `${clustered.mesh.faces.length} triangles each. Clustering is off ` +
+        `by ${error_of(clustered)}, collapse by ${error_of(collapsed)}.`;
+}
+
+function steps_of(way) {
+    const cubes = cubes_of(way.cell), bad = way.clustered.bad_edges;
+    const steps = [
+        { way, cubes, say: `Cubes of ${way.cell}: ${mesh.points.length} ` +
+              `vertices lie in ${cubes.length}. Those in one become one.` },
+        { way, result: true, say: say_of_result(way) },
+    ];
+    if (bad.length)
+        steps.push({ way, result: true, say: "Top and bottom have fallen " +
+            `together: at ${count_of(bad.length, "edge")} meet four faces.` });
+    return steps;
 }
 
 const steps = [
-    { say: `${count_of(mesh.faces.length, "triangle")}. How few will do?` },
-    ...ways.flatMap((way) => [
-        { way, cubes: cubes_of(way.cell),
-          say: `Cubes of ${way.cell}: the ${mesh.points.length} vertices lie ` +
-              `in ${cubes_of(way.cell).length}. Those in one become one.` },
-        { way, result: true, say: say_of_result(way) },
-    ]),
+    { say: `${count_of(mesh.faces.length, "triangle")}, most of them where it ` +
+          "is flat. How few will do?" },
+    ...ways.flatMap(steps_of),
     { way: ways.at(-1), result: true,
-      say: "Clustering treats all places alike. Collapse takes what costs " +
-          "least first, and keeps the mesh closed." },
+      say: "Clustering treats all places alike. Collapse takes the cheapest " +
+          "edge first, and keeps the mesh closed." },
 ];
+
+/** The vertices that edge collapse is going to leave. */
+function parts_of_left({ mesh: { points, faces } }) {
+    const dots = [...new Set(faces.flat())].map(
+        (v) => ({ at: points[v], is: "cell", size: 0.3, lift: 0.15 }));
+    return { dots };
+}
 
 /** Each vertex is pulled to the mean of its cube. */
 function parts_of_cubes(cubes) {
@@ -58,7 +71,7 @@ function parts_of_cubes(cubes) {
 function parts_of(simpler) {
     const { points } = simpler.mesh;
     return {
-        faces: facets(simpler.mesh),
+        faces: closed_facets(simpler.mesh),
         lines: simpler.bad_edges.map(([from, to]) => ({
             at: [points[from], points[to]], is: "opp", lift: 0.3 })),
     };
@@ -72,23 +85,24 @@ function make(place) {
     const right = add_solid(place, view, "edge collapse", frame);
     return (k) => {
         const { way, cubes, result, say } = steps[k];
-        const before = { faces: facets(mesh) };
+        const before = { faces: closed_facets(mesh) };
         left.solid.show(result ? parts_of(way.clustered)
-            : { ...before, ...parts_of_cubes(cubes || []) });
-        right.solid.show(result ? parts_of(way.collapsed) : before);
-        for (const [{ note }, name] of [[left, "clustered"],
-                                        [right, "collapsed"]])
-            note.textContent = result
-                ? note_of(way[name]) : count_of(mesh.faces.length, "triangle");
+            : { ...before, ...(cubes ? parts_of_cubes(cubes) : {}) });
+        right.solid.show(result ? parts_of(way.collapsed)
+            : { ...before, ...(way ? parts_of_left(way.collapsed) : {}) });
+        for (const [{ note }, name, before] of [
+            [left, "clustered", "one vertex for each cube"],
+            [right, "collapsed", "vertices that will stay"]])
+            note.textContent = result ? note_of(way[name])
+                : way ? before : count_of(mesh.faces.length, "triangle");
         return say;
     };
 }
 
 function note_of(simpler) {
     const bad = simpler.bad_edges.length;
-    return `${count_of(simpler.mesh.faces.length, "triangle")}, ` +
-        `error ${error_of(simpler)}, ` +
-        (bad ? `${count_of(bad, "bad edge")}` : "closed");
+    return `error ${error_of(simpler)} of the size, ` +
+        (bad ? count_of(bad, "bad edge") : "closed");
 }
 
 show_cases([{ name: "simplification", count: steps.length, make }],

@@ -4,9 +4,11 @@
 const { mesh, laplace, taubin } = page_data;
 const [inwards, outwards] = page_data.weights;
 
-/** The vertex that sticks out most, and the others of its edges. */
+const view = new View(20, 20);
+
+/** The topmost vertex, seen from the side, and the others of its edges. */
 const vertex = mesh.points.reduce(
-    (best, p, v) => vector.length(p) > vector.length(mesh.points[best])
+    (best, p, v) => view.seen(p)[1] > view.seen(mesh.points[best])[1]
         ? v : best, 0);
 const neighbours = [...new Set(mesh.faces.filter(
     (face) => face.includes(vertex)).flat())].filter((v) => v !== vertex);
@@ -20,9 +22,9 @@ function steps_of_all() {
         const other = taubin[n + 1];
         const way = n % 2 ? "out" : "in";
         return {
-            k: n + 1, way,
-            say: `Step ${n + 1}: Laplace keeps ${volume(step)} of the volume, ` +
-                `Taubin, going ${way}, ${volume(other)}.`,
+            k: n + 1,
+            say: `Step ${n + 1}: Laplace has ${volume(step)} of the volume, ` +
+                `Taubin (${way}wards) ${volume(other)}.`,
         };
     });
 }
@@ -34,8 +36,8 @@ const steps = [
     { k: 0, one: 2, say: "Their mean lies further in than the vertex." },
     { k: 0, one: 3,
       say: `A step takes V${vertex} half of the way to it: w = ${inwards}.` },
-    { k: 0, way: "in", say: "All vertices do so at once. Taubin: every other " +
-          `step goes out, w = ${outwards}.`.replace("-", "−") },
+    { k: 0, say: "All vertices do so at once. Taubin goes outwards every " +
+          `second step: w = ${outwards}.`.replace("-", "−") },
     ...steps_of_all(),
     { k: last, say: `Both are smooth. Laplace has lost ` +
           `${percent(1 - laplace[last].volume / laplace[0].volume)} of the ` +
@@ -77,7 +79,7 @@ class Chart {
     draw() {
         const { width, height } = this.svg.getBoundingClientRect();
         const em = parseFloat(getComputedStyle(this.svg).fontSize);
-        this.box = { left: 0.3 * em, right: width - 7.5 * em,
+        this.box = { left: 0.3 * em, right: width - 9.2 * em,
                      top: 1.6 * em, bottom: height - 0.4 * em };
         this.svg.replaceChildren();
         const { left, right, top, bottom } = this.box;
@@ -120,27 +122,28 @@ class Chart {
     }
 }
 
-const view = new View(20, 20);
-
 function make(place) {
-    const frame = { center: [0, 0, 0], radius: 1.15 };
-    const left = add_solid(place, view, "Laplace: in, in", frame);
-    const right = add_solid(place, view, "Taubin: in, out", frame);
-    const panel = html("div", { class: "pane narrow beside" });
-    place.append(panel);
+    const frame = { center: [0, 0, 0], around: 1.15, up: 0.9 };
+    const near = { center: vector.minus(mesh.points[vertex], [0, 0, 0.12]),
+                   around: 0.42, up: 0.3 };
+    const left = add_solid(place, view, "Laplace", frame);
+    const right = add_solid(place, view, "Taubin", frame);
+    const panel = html("div", {});
+    place.append(html("div", { class: "pane narrow beside" }, panel));
     const charts = [
         new Chart(panel, "volume", {
-            most: 1.1 * laplace[0].volume, value: (step) => step.volume,
+            most: 1.3 * laplace[0].volume, value: (step) => step.volume,
             text: volume }),
         new Chart(panel, "bumps", {
-            most: laplace[0].bumps, value: (step) => step.bumps,
+            most: 1.3 * laplace[0].bumps, value: (step) => step.bumps,
             text: bumps }),
     ];
     return (k) => {
         const step = steps[k];
         for (const [{ solid }, list] of [[left, laplace], [right, taubin]]) {
             const { points } = list[step.k];
-            solid.show({ faces: facets({ points, faces: mesh.faces }),
+            solid.frame = step.one && list === laplace ? near : frame;
+            solid.show({ faces: closed_facets({ points, faces: mesh.faces }),
                          ...(list === laplace ? parts_of_vertex(step) : {}) });
         }
         for (const chart of charts) chart.show(step.k);

@@ -58,10 +58,13 @@ class View {
 }
 
 /**
- * new Solid(place, view, {center, radius, name})
- *   what is within `radius` of `center` is seen; `name` for those who hear it
+ * new Solid(place, view, frame, name)
+ *   frame  what is seen of space; see frame_of
+ *   name   for those who hear the page
+ * frame and zoom may be changed before show
  * show({faces, lines, dots})
- *   faces  {at: [point...], is: class}
+ *   faces  {at: [point...], is: class, front_only: true where the eye never
+ *          sees its back, as in a closed mesh}
  *   lines  {at: [from, to], is, arrow: true for a head}
  *   dots   {at: point, is, text, size: its radius, beside: [x, y] of the text
  *          from it}, in the size of text
@@ -69,10 +72,10 @@ class View {
  *   hides, or is not hidden by, what it lies on
  */
 class Solid {
-    constructor(place, view, { center, radius, name }) {
+    constructor(place, view, frame, name) {
         this.view = view;
-        this.center = center;
-        this.radius = radius;
+        this.frame = frame;
+        this.zoom = 1;
         this.parts = { faces: [], lines: [], dots: [] };
         this.svg = svg("svg", { class: "solid", role: "img",
                                 "aria-label": name }, place);
@@ -90,7 +93,7 @@ class Solid {
         const { faces, lines, dots } = this.parts;
         this.measure();
         const all = [
-            ...faces.map((part) => this.face(part)),
+            ...faces.flatMap((part) => this.face(part)),
             ...lines.map((part) => this.line(part)),
             ...dots.map((part) => this.dot(part)),
         ];
@@ -102,12 +105,15 @@ class Solid {
     measure() {
         const { width, height } = this.svg.getBoundingClientRect();
         this.middle = [width / 2, height / 2];
-        this.scale = 0.48 * Math.min(width, height) / this.radius;
+        const { around, up } = this.frame;
+        const pitch = this.view.pitch * Math.PI / 180;
+        const high = up * Math.cos(pitch) + around * Math.abs(Math.sin(pitch));
+        this.scale = 0.47 * this.zoom * Math.min(width / around, height / high);
         this.em = parseFloat(getComputedStyle(this.svg).fontSize);
     }
 
     on_screen(p) {
-        const [x, y, depth] = this.view.seen(vector.minus(p, this.center));
+        const [x, y, depth] = this.view.seen(vector.minus(p, this.frame.center));
         return [this.middle[0] + x * this.scale,
                 this.middle[1] - y * this.scale, depth];
     }
@@ -118,20 +124,22 @@ class Solid {
         return { depth: depth + (part.lift || 0), element };
     }
 
+    /** A list of one, or of none when its back is not to be seen. */
     face(part) {
         const points = part.at.map((p) => this.on_screen(p));
         // How much light falls on it, from the upper left behind the eye.
         const normal = vector.unit(this.view.seen(vector.cross(
             vector.minus(part.at[1], part.at[0]),
             vector.minus(part.at[2], part.at[0]))));
+        if (part.front_only && normal[2] < 0) return [];
         const light = vector.dot(normal, vector.unit([-0.5, 0.7, 0.8]));
         const element = svg("polygon", {
             points: points.map(([x, y]) => `${x.toFixed(1)},${y.toFixed(1)}`)
                 .join(" "),
-            class: `facet ${part.is || ""}${normal[2] < 0 ? " back" : ""}`,
+            class: `facet ${part.is || ""}`,
             style: `--light:${Math.max(0, light).toFixed(2)}`,
         });
-        return this.placed(part, points, element);
+        return [this.placed(part, points, element)];
     }
 
     line(part) {
@@ -190,24 +198,32 @@ function facets({ points, faces }, is = () => "") {
         at: face.map((v) => points[v]), is: is(f, face) }));
 }
 
-/** Center and radius of what all of the points need, however it is turned. */
+/** Those of a closed mesh, as show takes them. */
+function closed_facets(mesh) {
+    return facets(mesh).map((part) => ({ ...part, front_only: true }));
+}
+
+/**
+ * The room that the points need, however it is turned round: how far they are
+ * from the upright axis through the center, and how far above or below it.
+ */
 function frame_of(points) {
     const bound = (pick) => points.reduce(
         (most, p) => p.map((x, k) => pick(x, most[k])));
     const center = vector.mean([bound(Math.min), bound(Math.max)]);
-    const radius = Math.max(...points.map(
-        (p) => vector.length(vector.minus(p, center))));
-    return { center, radius };
+    const most = (of) => Math.max(...points.map(
+        (p) => of(...vector.minus(p, center))));
+    return { center, around: most((x, y) => Math.hypot(x, y)),
+             up: most((x, y, z) => Math.abs(z)) };
 }
 
 /** A solid below a heading, and a place for a line about it; see Solid. */
-function add_solid(place, view, heading, options) {
+function add_solid(place, view, heading, frame) {
     const drawing = html("div", { class: "drawing" });
     const note = html("p", { class: "note" });
     place.append(html("figure", { class: "pane one-solid" },
                       html("figcaption", {}, heading), drawing, note));
-    return { solid: new Solid(drawing, view, { name: heading, ...options }),
-             note };
+    return { solid: new Solid(drawing, view, frame, heading), note };
 }
 
 /** 0.0123 as "1.2 %". */

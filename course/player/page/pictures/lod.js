@@ -36,7 +36,7 @@ function draw_levels(panel, { distance, all }) {
     panel.replaceChildren(...levels.map(({ faces, from }, l) => html("div", {
         class: `level ${all || l === now ? "now" : ""}` },
         html("span", {}, `${l}: from ${from.toFixed(1)}`),
-        html("span", { class: "bar",
+        html("span", { class: "level-bar",
                        style: `width: ${30 * faces.length / finest}%` }),
         html("b", {}, String(faces.length)))));
 }

@@ -45,7 +45,7 @@ const steps = [
     ...ways.flatMap(steps_of),
     { way: ways.at(-1), result: true,
       say: "Clustering treats all places alike. Collapse takes the cheapest " +
-          "edge first, and keeps the mesh closed." },
+          "edge first and stays closed." },
 ];
 
 /** The vertices that edge collapse is going to leave. */

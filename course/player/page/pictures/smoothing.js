@@ -63,10 +63,10 @@ function parts_of_vertex({ one }) {
 }
 
 /** Two curves over the steps: Laplace's and Taubin's. */
-class Chart {
+class Curves {
     constructor(place, heading, { most, value, text }) {
         Object.assign(this, { heading, most, value, text });
-        this.svg = svg("svg", { class: "chart", role: "img",
+        this.svg = svg("svg", { class: "curves", role: "img",
                                 "aria-label": heading }, place);
         new ResizeObserver(() => this.draw()).observe(this.svg);
     }
@@ -77,6 +77,7 @@ class Chart {
     }
 
     draw() {
+        if (!this.svg.isConnected) return;  // the page begins anew
         const { width, height } = this.svg.getBoundingClientRect();
         const em = parseFloat(getComputedStyle(this.svg).fontSize);
         this.box = { left: 0.3 * em, right: width - 9.2 * em,
@@ -130,11 +131,11 @@ function make(place) {
     const right = add_solid(place, view, "Taubin", frame);
     const panel = html("div", {});
     place.append(html("div", { class: "pane narrow beside" }, panel));
-    const charts = [
-        new Chart(panel, "volume", {
+    const curves = [
+        new Curves(panel, "volume", {
             most: 1.3 * laplace[0].volume, value: (step) => step.volume,
             text: volume }),
-        new Chart(panel, "bumps", {
+        new Curves(panel, "bumps", {
             most: 1.3 * laplace[0].bumps, value: (step) => step.bumps,
             text: bumps }),
     ];
@@ -146,7 +147,7 @@ function make(place) {
             solid.show({ faces: closed_facets({ points, faces: mesh.faces }),
                          ...(list === laplace ? parts_of_vertex(step) : {}) });
         }
-        for (const chart of charts) chart.show(step.k);
+        for (const one of curves) one.show(step.k);
         return step.say;
     };
 }

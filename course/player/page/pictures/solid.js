@@ -34,6 +34,7 @@ class View {
     }
 
     redraw() {
+        this.solids = this.solids.filter(({ svg }) => svg.isConnected);
         for (const solid of this.solids) solid.draw();
     }
 
@@ -90,6 +91,7 @@ class Solid {
     }
 
     draw() {
+        if (!this.svg.isConnected) return;  // another case is shown
         const { faces, lines, dots } = this.parts;
         this.measure();
         const all = [

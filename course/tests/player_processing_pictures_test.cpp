@@ -9,7 +9,7 @@
 #include "course/player/pictures/cubes_picture.h"
 #include "course/player/pictures/lod_picture.h"
 #include "course/player/pictures/normals_picture.h"
-#include "course/player/pictures/pictures.h"
+#include "course/player/pictures/reference_pictures.h"
 #include "course/player/pictures/shapes.h"
 #include "course/player/pictures/simplification_picture.h"
 #include "course/player/pictures/smoothing_picture.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "course/mesh/marching_cubes_table.h"
-#include "course/player/pictures/pictures.h"
+#include "course/player/pictures/reference_pictures.h"
 #include "course/player/pictures/shapes.h"
 
 namespace course {

@@ -1,7 +1,7 @@
 #include "course/player/pictures/lod_picture.h"
 
 #include "course/halfedge/build.h"
-#include "course/player/pictures/pictures.h"
+#include "course/player/pictures/reference_pictures.h"
 #include "course/player/pictures/shapes.h"
 #include "course/player/reference.h"
 #include "exercises/09_processing/lod_pyramid.h"

@@ -1,7 +1,7 @@
 #include "course/player/pictures/normals_picture.h"
 
 #include "course/halfedge/build.h"
-#include "course/player/pictures/pictures.h"
+#include "course/player/pictures/reference_pictures.h"
 #include "course/player/reference.h"
 #include "exercises/06_geometry/vertex_normal.h"
 

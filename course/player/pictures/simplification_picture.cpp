@@ -4,7 +4,7 @@
 #include <map>
 
 #include "course/halfedge/build.h"
-#include "course/player/pictures/pictures.h"
+#include "course/player/pictures/reference_pictures.h"
 #include "course/player/pictures/shapes.h"
 #include "course/player/reference.h"
 #include "exercises/09_processing/cluster.h"

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "course/halfedge/build.h"
-#include "course/player/pictures/pictures.h"
+#include "course/player/pictures/reference_pictures.h"
 #include "course/player/pictures/shapes.h"
 #include "course/player/reference.h"
 #include "exercises/06_geometry/signed_volume.h"

@@ -1,0 +1,18 @@
+#include "course/player/pictures/reference_pictures.h"
+
+namespace course {
+
+std::vector<Picture> pictures_of_references() {
+    return {
+        {"normals", "Three normals at one vertex", "06_geometry",
+         normals_picture},
+        {"cubes", "Marching cubes, cell by cell", "08_making", cubes_picture},
+        {"smoothing", "Smoothing, and what it costs", "09_processing",
+         smoothing_picture},
+        {"simplification", "Clustering beside edge collapse", "09_processing",
+         simplification_picture},
+        {"lod", "Levels of detail", "09_processing", lod_picture},
+    };
+}
+
+}  // namespace course

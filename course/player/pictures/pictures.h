@@ -9,13 +9,17 @@ namespace course {
 
 /// One page.
 struct Picture {
+    /// What its script draws with.
+    enum class Drawing { mesh, solid };
+
     std::string name;       ///< of the file, and of its script: "build"
     std::string title;      ///< what the page asks or shows
     std::string chapter;    ///< of the lecture notes: "03_building"
     std::string (*make)();  ///< its data: JSON
+    Drawing drawing = Drawing::mesh;
 };
 
-/// All pictures, by chapter.
+/// All pictures, by chapter; those of references only where the tree has them.
 std::vector<Picture> lecture_pictures();
 
 /// The whole page, one HTML file. Throws SystemError when a part of it cannot

@@ -82,11 +82,6 @@ std::set<std::string> project_headers(std::string_view text,
     return found;
 }
 
-bool starts_an_item(const std::string& line) {
-    const auto digits = line.find_first_not_of("0123456789");
-    return digits != 0 && digits != std::string::npos && line[digits] == '.';
-}
-
 }  // namespace
 
 fs::path source_root() {
@@ -168,24 +163,6 @@ std::string read_file(const fs::path& file) {
     if (!in) throw_errno("cannot read " + file.string());
     return {std::istreambuf_iterator<char>(in),
             std::istreambuf_iterator<char>()};
-}
-
-std::vector<std::string> hints_of(const Exercise& exercise) {
-    const std::string text = read_file(exercise.statement());
-    const auto start = text.find("## Hints");
-    std::vector<std::string> hints;
-    if (start == std::string::npos) return hints;
-    std::istringstream lines(text.substr(start));
-    std::string line;
-    std::getline(lines, line);
-    while (std::getline(lines, line) && line.rfind("## ", 0) != 0) {
-        const auto first = line.find_first_not_of(" \t");
-        if (starts_an_item(line))
-            hints.push_back(line.substr(line.find('.') + 2));
-        else if (!hints.empty() && first != std::string::npos)
-            hints.back() += " " + line.substr(first);
-    }
-    return hints;
 }
 
 }  // namespace course

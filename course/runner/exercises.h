@@ -62,10 +62,6 @@ std::vector<Exercise> exercises_before(const Exercise& exercise);
 std::set<std::string, std::less<>> standard_headers(
     std::string_view text, const std::filesystem::path& include);
 
-/// The numbered hints of its statement, in order. Throws SystemError when the
-/// statement cannot be read.
-std::vector<std::string> hints_of(const Exercise& exercise);
-
 /// A whole file. Throws SystemError that names it.
 std::string read_file(const std::filesystem::path& file);
 

@@ -6,6 +6,7 @@
 #include <atomic>
 #include <mutex>
 
+#include "course/runner/statement.h"
 #include "grader/pipeline/keys.h"
 #include "grader/pipeline/pool.h"
 
@@ -77,7 +78,7 @@ void look_at_files(Validation& validation) {
             complain("there is no " +
                      fs::relative(file, course::source_root()).string());
     if (!validation.complaints.empty()) return;
-    if (const auto hints = course::hints_of(exercise).size();
+    if (const auto hints = course::statement_of(exercise).hints.size();
         hints < fewest_hints)
         complain(fmt::format("{} hints in {}.md, expected at least {}", hints,
                              exercise.name, fewest_hints));

@@ -1,0 +1,113 @@
+#include "course/cli/lists.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <map>
+#include <regex>
+#include <sstream>
+
+namespace course {
+
+namespace {
+
+struct Count {
+    int solved = 0, all = 0;
+};
+
+std::map<std::string, Count> counts_of(const Progress& progress) {
+    std::map<std::string, Count> counts;
+    for (const Exercise& exercise : all_exercises()) {
+        Count& count = counts[exercise.topic];
+        ++count.all;
+        if (progress.state(exercise) == State::solved) ++count.solved;
+    }
+    return counts;
+}
+
+std::string bar(Count count) {
+    constexpr int columns = 20;
+    const int full = count.all == 0 ? 0 : columns * count.solved / count.all;
+    std::string text;
+    for (int k = 0; k < columns; ++k) text += k < full ? "█" : "·";
+    return text;
+}
+
+std::string lower(std::string_view text) {
+    std::string result(text);
+    std::transform(result.begin(), result.end(), result.begin(), [](char c) {
+        return static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    });
+    return result;
+}
+
+std::string plain_line(const std::string& line) {
+    static const std::regex heading("^#+ "), bold("\\*\\*"),
+        link("\\[([^\\]]*)\\]\\([^)]*\\)");
+    std::string plain = std::regex_replace(line, heading, "");
+    plain = std::regex_replace(plain, bold, "");
+    return std::regex_replace(plain, link, "$1");
+}
+
+}  // namespace
+
+bool is_found_by(const Exercise& exercise, const std::string& title,
+                 std::string_view words) {
+    const std::string all =
+        lower(exercise.topic + " " + exercise.name + " " + title);
+    return all.find(lower(words)) != std::string::npos;
+}
+
+std::string list_of(const Progress& progress, Language language,
+                    std::string_view filter) {
+    std::string text, topic;
+    for (const Exercise& exercise : all_exercises()) {
+        const std::string title = statement_of(exercise, language).title;
+        if (!is_found_by(exercise, title, filter)) continue;
+        if (exercise.topic != topic)
+            text += fmt::format("{}{}\n", topic.empty() ? "" : "\n",
+                                exercise.topic);
+        topic = exercise.topic;
+        text += fmt::format("  {:<22} {:<7} {}\n", exercise.name,
+                            words(progress.state(exercise)), title);
+    }
+    return text;
+}
+
+std::string chapters_of(const Progress& progress) {
+    std::string text;
+    Count sum;
+    for (const auto& [topic, count] : counts_of(progress)) {
+        text += fmt::format("{:<16} {} {:>3} of {:<3}\n", topic, bar(count),
+                            count.solved, count.all);
+        sum = {sum.solved + count.solved, sum.all + count.all};
+    }
+    return text + fmt::format("{:<16} {} {:>3} of {:<3}\n", "all", bar(sum),
+                              sum.solved, sum.all);
+}
+
+std::string short_chapters_of(const Progress& progress) {
+    std::string text;
+    for (const auto& [topic, count] : counts_of(progress))
+        text += fmt::format("{}{} {}/{}", text.empty() ? "" : "  ",
+                            topic.substr(0, topic.find('_')), count.solved,
+                            count.all);
+    return text;
+}
+
+std::string plain_markdown(std::string_view markdown) {
+    std::istringstream lines{std::string(markdown)};
+    std::string text;
+    bool is_code = false;
+    for (std::string line; std::getline(lines, line);) {
+        const bool is_fence = line.rfind("```", 0) == 0;
+        if (is_fence)
+            is_code = !is_code;
+        else
+            text += (is_code ? line : plain_line(line)) + "\n";
+    }
+    return text;
+}
+
+}  // namespace course

@@ -1,0 +1,6 @@
+#include "course/cli/commands.h"
+namespace course {
+int watch(const Desk&) {
+    return 2;
+}
+}  // namespace course

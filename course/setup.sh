@@ -64,16 +64,48 @@ need_packages() {
     command -v cmake >/dev/null 2>&1 && command -v c++ >/dev/null 2>&1 &&
         return
     echo "This needs a C++20 compiler, CMake 3.25 and some packages:" >&2
-    if [ "$(uname)" = Darwin ]; then
-        echo "  xcode-select --install; brew install $4" >&2
-    elif command -v dnf >/dev/null 2>&1; then
-        echo "  sudo dnf install $2" >&2
-    elif command -v pacman >/dev/null 2>&1; then
-        echo "  sudo pacman -S $3" >&2
-    else
-        echo "  (Debian names) $1" >&2
-    fi
+    echo "  $(package_list "$2" "$3" "$4" "$1")" >&2
     exit 2
+}
+
+# For `lab doctor`: says what of the machine is ready, and installs nothing.
+# $1 to $4 as for need_packages. False when something is missing.
+tell_machine() {
+    ready=true
+    for tool in c++ cmake; do
+        if command -v "$tool" >/dev/null 2>&1; then
+            printf 'ok      %s\n' "$("$tool" --version | head -n 1)"
+        else
+            printf 'MISSING %s\n' "$tool"
+            ready=false
+        fi
+    done
+    if command -v dpkg-query >/dev/null 2>&1; then
+        missing=$(missing_debian $1)
+        if [ -n "$missing" ]; then
+            printf 'MISSING packages. As root: apt-get install %s\n' "$missing"
+            ready=false
+        else
+            echo "ok      packages"
+        fi
+    elif ! $ready; then
+        echo "        needed here: $(package_list "$2" "$3" "$4" "$1")"
+    fi
+    $ready
+}
+
+# The command that installs what is needed on this system.
+# $1: fedora, $2: arch, $3: brew, $4: debian
+package_list() {
+    if [ "$(uname)" = Darwin ]; then
+        echo "xcode-select --install; brew install $3"
+    elif command -v dnf >/dev/null 2>&1; then
+        echo "sudo dnf install $1"
+    elif command -v pacman >/dev/null 2>&1; then
+        echo "sudo pacman -S $2"
+    else
+        echo "(Debian names) $4"
+    fi
 }
 
 # Configures once and builds what is out of date. Quiet unless it fails or

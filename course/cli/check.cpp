@@ -40,6 +40,8 @@ int check_one(const Desk& desk, const std::string& name, const fs::path& file) {
     return exit_code(result.verdict);
 }
 
+}  // namespace
+
 int check_all(const Desk& desk) {
     const std::vector<Exercise> all = all_exercises();
     const std::vector<Exercise> some = begun(desk, all);
@@ -54,8 +56,6 @@ int check_all(const Desk& desk) {
     return some.size() < all.size() ? std::max(1, exit_code(results))
                                     : exit_code(results);
 }
-
-}  // namespace
 
 int exit_code(Verdict verdict) {
     if (verdict == Verdict::accepted) return 0;

@@ -26,6 +26,10 @@ std::vector<ExerciseResult> check_many(
     const Desk& desk, const std::vector<Exercise>& exercises,
     const std::function<void(std::size_t)>& each);
 
+/// Checks all that is begun and prints the table; the exit code. On a terminal
+/// it counts on the error stream.
+int check_all(const Desk& desk);
+
 /// All that are begun: neither missing nor as they were handed out.
 std::vector<Exercise> begun(const Desk& desk,
                             const std::vector<Exercise>& exercises);

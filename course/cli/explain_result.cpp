@@ -2,34 +2,68 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <sstream>
+
 #include "course/halfedge/describe.h"
+#include "course/report/compiler_messages.h"
 #include "course/report/explain.h"
+#include "course/report/mesh_text.h"
 #include "course/report/text.h"
 
 namespace course {
 
 namespace {
 
+// The drawing stands right of the table; together they fit into 80 columns.
+constexpr int drawing_columns = 48;
+constexpr int drawing_lines = 18;
+
+std::vector<std::string> lines_of(const std::string& text) {
+    std::vector<std::string> lines;
+    std::istringstream in(text);
+    for (std::string line; std::getline(in, line);) lines.push_back(line);
+    return lines;
+}
+
 std::string indented(const std::string& text, const std::string& margin) {
-    std::string result = margin;
-    for (const char c : text) {
-        result += c;
-        if (c == '\n') result += margin;
-    }
+    std::string result;
+    for (const std::string& line : lines_of(text))
+        result += (line.empty() ? "" : margin + line) + "\n";
     while (!result.empty() && (result.back() == ' ' || result.back() == '\n'))
         result.pop_back();
     return result + "\n";
 }
 
-/// The table that the failed call walked on, with the rows of its walk marked.
+/// Two texts side by side.
+std::string beside(const std::string& left, const std::string& right) {
+    const std::vector<std::string> a = lines_of(left), b = lines_of(right);
+    std::size_t columns = 0;
+    for (std::size_t k = 0; k < std::min(a.size(), b.size()); ++k)
+        columns = std::max(columns, width(a[k]));
+    std::string text;
+    for (std::size_t k = 0; k < std::max(a.size(), b.size()); ++k) {
+        std::string line = k < a.size() ? a[k] : "";
+        if (k < b.size() && !b[k].empty())
+            line += std::string(columns + 2 - width(line), ' ') + b[k];
+        text += line + "\n";
+    }
+    return text;
+}
+
+/// The table that the failed call walked on, with the rows of its walk marked,
+/// and the mesh where a drawing helps.
 std::string table_of(const Failure& failure) {
     if (failure.mesh.rows.empty()) return "";
     std::vector<int> marked;
     for (const Visit& visit : failure.walk) marked.push_back(visit.i);
-    return fmt::format(
-        "\n  The table of mesh \"{}\"{}:\n{}", failure.mesh.name,
-        marked.empty() ? "" : ", > where the call looked",
-        indented(describe(HalfEdgeTable(failure.mesh.rows), marked), "    "));
+    const std::string table =
+        describe(HalfEdgeTable(failure.mesh.rows), marked);
+    const std::string drawing = mesh_text(failure.mesh, walk_of(failure),
+                                          drawing_columns, drawing_lines);
+    return fmt::format("\n  The table of mesh \"{}\"{}:\n{}", failure.mesh.name,
+                       marked.empty() ? "" : ", > where the call looked",
+                       indented(beside(table, drawing), "    "));
 }
 
 std::string failed_case(const Exercise& exercise, const CaseResult& c) {
@@ -62,7 +96,7 @@ std::string explain_result(const Exercise& exercise,
     std::string text =
         fmt::format("{}: {}\n\n", file.string(), words(result.verdict));
     if (!result.message.empty())
-        text += indented(visible(result.message), "  ") + "\n";
+        text += indented(visible(explain_compiler(result.message)), "") + "\n";
     if (result.verdict == Verdict::compile_error ||
         result.verdict == Verdict::grader_fault)
         return text;

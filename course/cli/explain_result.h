@@ -9,9 +9,10 @@
 
 namespace course {
 
-/// Verdict, messages of the compiler, cases; the first failed case in full:
-/// call, expected, got, walk, the table with the rows of the walk marked, hint.
-/// Text of the submission is shown with control characters spelled out.
+/// Verdict, what the compiler said, cases; the first failed case in full: call,
+/// expected, got, walk, the table with the rows of the walk marked, beside it
+/// the mesh, hint. Text of the submission is shown with control characters
+/// spelled out. Plain text without colours, lines of any length.
 std::string explain_result(const Exercise& exercise,
                            const std::filesystem::path& file,
                            const ExerciseResult& result);

@@ -133,6 +133,15 @@ void change_progress(const Desk& desk,
         replace_text(progress_file(desk), text);
 }
 
+std::optional<fs::path> reset_exercise(const Desk& desk,
+                                       const Exercise& exercise) {
+    auto kept = desk.reset(exercise);
+    change_progress(desk, [&](Progress& progress) {
+        progress.entries.erase(exercise.name);
+    });
+    return kept;
+}
+
 Exercise exercise_or_current(const Desk& desk, const std::string& name) {
     return name.empty() ? read_progress(desk).current_exercise()
                         : exercise_named(name);

@@ -56,6 +56,10 @@ Progress read_progress(const Desk& desk);
 void change_progress(const Desk& desk,
                      const std::function<void(Progress&)>& change);
 
+/// Desk::reset, and forgets what was known of the exercise.
+std::optional<std::filesystem::path> reset_exercise(const Desk& desk,
+                                                    const Exercise& exercise);
+
 /// The exercise of that name; the current one where it is empty. Throws
 /// UnknownExercise.
 Exercise exercise_or_current(const Desk& desk, const std::string& name);

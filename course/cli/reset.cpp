@@ -27,10 +27,7 @@ int reset(const Desk& desk, const std::string& name, bool yes) {
     const Exercise exercise = exercise_named(name);
     const std::string file = desk.file(exercise).string();
     if (!yes && !is_wanted(file)) return 1;
-    const auto kept = desk.reset(exercise);
-    change_progress(desk, [&](Progress& progress) {
-        progress.entries.erase(exercise.name);
-    });
+    const auto kept = reset_exercise(desk, exercise);
     fmt::print("{} is as it was handed out.\n", file);
     if (kept) fmt::print("Yours is now {}\n", kept->string());
     return 0;

@@ -96,8 +96,11 @@ std::string path(const std::vector<Visit>& visits) {
     return text;
 }
 
-std::string endless(const std::vector<Visit>& repeated, std::int64_t budget,
+std::string endless(std::vector<Visit> repeated, std::int64_t budget,
                     int start) {
+    // One turn: the half-edge that it comes back to is named once.
+    while (repeated.size() > 1 && repeated.back().i == repeated.front().i)
+        repeated.pop_back();
     std::string text = fmt::format(
         "the walk does not end: {} {} visited again and again (stopped after "
         "{} reads)",

@@ -9,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "course/report/mesh_layout.h"
+
 namespace course {
 
 namespace {
@@ -16,105 +18,18 @@ namespace {
 using Rows = std::vector<HalfEdge>;
 
 // All lengths are in pixels of the drawing.
-constexpr double widest = 500;
-constexpr double highest = 430;
-constexpr double margin = 36;  // room for numbers outside of the mesh
+constexpr MeshFrame frame = {
+    .widest = 500, .highest = 430, .margin = 36, .nearest_vertices = 30};
 constexpr double vertex_radius = 11;
 constexpr double arrow_offset = 7;   // of an arrow from its edge
 constexpr double label_offset = 5;   // of its number from the arrow
 constexpr double label_place = 0.4;  // of the arrow's length
-constexpr double nearest_vertices = 30;
-constexpr int most_vertices = 200;
-
-struct Point {
-    double x = 0, y = 0;
-
-    friend Point operator+(Point a, Point b) { return {a.x + b.x, a.y + b.y}; }
-    friend Point operator-(Point a, Point b) { return {a.x - b.x, a.y - b.y}; }
-    friend Point operator*(double s, Point a) { return {s * a.x, s * a.y}; }
-};
-
-double length(Point a) {
-    return std::hypot(a.x, a.y);
-}
-
-/// Where the vertices lie, y downwards, and how large the drawing is.
-struct Layout {
-    std::vector<Point> at;
-    double width = 0, height = 0;
-    bool flat = true;  ///< false: faces may lie behind one another
-};
-
-int vertex_count(const Rows& rows) {
-    int count = 0;
-    for (const HalfEdge& row : rows)
-        if (row.vi < most_vertices) count = std::max(count, row.vi + 1);
-    return count;
-}
-
-/// Moves and scales the points into the frame.
-Layout framed(std::vector<Point> points, bool flat) {
-    Point low = points.front(), high = points.front();
-    for (const Point p : points) {
-        low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-        high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-    }
-    const Point size = high - low;
-    const double scale = std::min((widest - 2 * margin) / size.x,
-                                  (highest - 2 * margin) / size.y);
-    for (Point& p : points) p = scale * (p - low) + Point{margin, margin};
-    return {std::move(points), scale * size.x + 2 * margin,
-            scale * size.y + 2 * margin, flat};
-}
-
-bool is_spread(const Layout& layout) {
-    for (std::size_t a = 0; a < layout.at.size(); ++a)
-        for (std::size_t b = 0; b < a; ++b)
-            // Written so that a NaN counts as not spread.
-            if (!(length(layout.at[a] - layout.at[b]) >= nearest_vertices))
-                return false;
-    return true;
-}
-
-Layout circular(std::size_t count) {
-    std::vector<Point> points;
-    for (std::size_t v = 0; v < count; ++v) {
-        const double angle = 2 * std::numbers::pi * static_cast<double>(v) /
-                             static_cast<double>(count);
-        points.push_back({std::sin(angle), -std::cos(angle)});
-    }
-    // Two points on a circle have no width, and one has no size at all.
-    if (count <= 2) points.insert(points.end(), {{-1, 0}, {1, 0}});
-    return framed(std::move(points), true);
-}
-
-/// The given positions, seen a little from above; nothing if they are too few,
-/// not finite, or fall together.
-std::optional<Layout> by_positions(const std::vector<Vec3>& positions,
-                                   std::size_t count) {
-    if (count < 3 || positions.size() < count) return std::nullopt;
-    std::vector<Point> points;
-    bool flat = true;
-    for (std::size_t v = 0; v < count; ++v)
-        flat = flat && positions[v].z == positions[0].z;
-    for (std::size_t v = 0; v < count; ++v) {
-        const Vec3 p = positions[v];
-        points.push_back(flat ? Point{p.x, -p.y}
-                              : Point{p.x + 0.45 * p.y, -p.z - 0.28 * p.y});
-    }
-    Layout layout = framed(std::move(points), flat);
-    if (!is_spread(layout)) return std::nullopt;
-    return layout;
-}
 
 /// One drawing while it is made.
 class Drawing {
 public:
-    Drawing(const Rows& rows, Layout layout, const Walk& walk)
-        : rows_(rows),
-          vertex_count_(vertex_count(rows)),
-          layout_(std::move(layout)),
-          order_(walk_order(walk)) {}
+    Drawing(const Rows& rows, MeshLayout layout, const Walk& walk)
+        : rows_(rows), layout_(std::move(layout)), order_(walk_order(walk)) {}
 
     Html draw(std::string_view name) {
         append(out_,
@@ -142,10 +57,7 @@ private:
     }
     bool is_row(int i) const { return i >= 0 && i < size(); }
 
-    std::optional<Point> vertex(int v) const {
-        if (v < 0 || v >= vertex_count_) return std::nullopt;
-        return layout_.at[static_cast<std::size_t>(v)];
-    }
+    std::optional<Point> vertex(int v) const { return layout_.vertex(v); }
     std::optional<Point> start(int i) const { return vertex(row(i).vi); }
     std::optional<Point> tip(int i) const {
         const int after = row(i).opp == -1 ? row(i).next : row(i).opp;
@@ -293,8 +205,7 @@ private:
     }
 
     const Rows& rows_;
-    const int vertex_count_;
-    const Layout layout_;
+    const MeshLayout layout_;
     const std::map<int, std::string> order_;
     std::vector<Point> face_labels_;
     Html out_;
@@ -303,11 +214,9 @@ private:
 }  // namespace
 
 Html mesh_drawing(const MeshPicture& mesh, const Walk& walk) {
-    const int count = vertex_count(mesh.rows);
-    if (count == 0 || mesh.rows.size() > most_drawn_half_edges) return {};
-    const auto vertices = static_cast<std::size_t>(count);
-    auto layout = by_positions(mesh.positions, vertices);
-    if (!layout) layout = circular(vertices);
+    if (mesh.rows.size() > most_drawn_half_edges) return {};
+    const auto layout = mesh_layout(mesh, frame);
+    if (!layout) return {};
     return Drawing(mesh.rows, *layout, walk).draw(mesh.name);
 }
 

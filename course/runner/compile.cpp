@@ -9,6 +9,8 @@
 #include <set>
 #include <sstream>
 
+#include "course/runner/platform.h"
+
 namespace course {
 
 namespace {
@@ -79,13 +81,16 @@ std::vector<std::string> compile_arguments(const std::string& source,
 
 std::vector<std::string> link_arguments(std::vector<std::string> objects,
                                         const std::string& shared) {
-#ifdef __linux__
+#if COURSE_LINUX
     // Bare: everything else is in the host that loads it.
     objects.insert(objects.begin(),
                    {"ld", "-shared", "--eh-frame-hdr", "-o", shared});
 #else
-    objects.insert(objects.begin(), {compiler(), "-shared", "-undefined",
-                                     "dynamic_lookup", "-o", shared});
+    objects.insert(objects.begin(), {compiler(), "-shared",
+#ifdef __APPLE__
+                                     "-undefined", "dynamic_lookup",
+#endif
+                                     "-o", shared});
 #endif
     return objects;
 }

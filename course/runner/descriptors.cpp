@@ -11,6 +11,8 @@
 #include <cstdio>
 #include <cstring>
 
+#include "course/runner/platform.h"
+
 namespace course {
 
 namespace {
@@ -107,7 +109,7 @@ DescriptorPair socket_pair() {
 
 DescriptorPair pipe_pair() {
     int fds[2];
-#ifdef __linux__
+#if COURSE_LINUX
     // At once: another thread may be starting a program in between.
     if (::pipe2(fds, O_CLOEXEC) != 0) throw_errno("pipe");
 #else
@@ -119,7 +121,7 @@ DescriptorPair pipe_pair() {
 }
 
 Descriptor anonymous_file() {
-#ifdef __linux__
+#if COURSE_LINUX
     Descriptor file(::memfd_create("output", MFD_CLOEXEC));
     if (!file) throw_errno("memfd_create");
     return file;

@@ -9,11 +9,6 @@
 #include <catch2/internal/catch_test_case_registry_impl.hpp>
 #endif
 
-#ifdef __linux__
-#include <sys/prctl.h>
-#include <sys/resource.h>
-#endif
-
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <csignal>
@@ -24,8 +19,14 @@
 #include "course/runner/case_record.h"
 #include "course/runner/client.h"
 #include "course/runner/judge_stream.h"
+#include "course/runner/platform.h"
 #include "course/runner/submitted_table.h"
 #include "course/runner/suite.h"
+
+#if COURSE_LINUX
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#endif
 
 namespace {
 
@@ -358,7 +359,7 @@ int judge(const Options& options) {
 /// The judge is ours, but what it reads is not: it may neither take the memory
 /// of the machine nor outlive the program that started it.
 void limit_this_process() {
-#ifdef __linux__
+#if COURSE_LINUX
     constexpr rlim_t most = rlim_t{4} << 30;
     const rlimit memory{most, most};
     ::setrlimit(RLIMIT_AS, &memory);

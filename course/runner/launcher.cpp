@@ -11,12 +11,13 @@
 #include <csignal>
 #include <cstring>
 
-#ifdef __linux__
+#include "course/runner/descriptors.h"
+#include "course/runner/platform.h"
+#include "course/runner/protocol.h"
+
+#if COURSE_LINUX
 #include <sys/prctl.h>
 #endif
-
-#include "course/runner/descriptors.h"
-#include "course/runner/protocol.h"
 
 namespace course {
 
@@ -62,7 +63,7 @@ void set_limits(const Limits& limits) {
 }
 
 void close_from(int first) {
-#ifdef __linux__
+#if COURSE_LINUX
     ::close_range(static_cast<unsigned>(first), ~0U, 0);
 #else
     for (int fd = first; fd < 256; ++fd) ::close(fd);
@@ -87,7 +88,7 @@ void arrange_descriptors(int channel, int output, int ready) {
                             const Limits& limits, int channel, int output,
                             int ready) {
     ::setpgid(0, 0);  // so that its children can be ended with it
-#ifdef __linux__
+#if COURSE_LINUX
     ::prctl(PR_SET_PDEATHSIG, SIGKILL);
 #endif
     arrange_descriptors(channel, output, ready);
@@ -216,7 +217,7 @@ int Launcher::run() {
 }  // namespace
 
 int run_launcher(const LauncherOptions& options) {
-#ifdef __linux__
+#if COURSE_LINUX
     ::prctl(PR_SET_DUMPABLE, 0);  // no worker looks into this process
 #endif
     ::fcntl(options.control, F_SETFD, FD_CLOEXEC);

@@ -16,6 +16,8 @@
 #include <set>
 #include <thread>
 
+#include "course/runner/platform.h"
+
 namespace course {
 
 namespace {
@@ -126,7 +128,7 @@ void tell_warden(std::int32_t program) {
     for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT})
         std::signal(signal, SIG_IGN);
     ::dup2(from, 0);
-#ifdef __linux__
+#if COURSE_LINUX
     ::close_range(1, ~0U, 0);
 #else
     for (int fd = 1; fd < 256; ++fd) ::close(fd);
@@ -214,7 +216,7 @@ void Process::forget() {
 }
 
 void Process::keep_on([[maybe_unused]] int processor) {
-#ifdef __linux__
+#if COURSE_LINUX
     cpu_set_t one;
     CPU_ZERO(&one);
     CPU_SET(static_cast<std::size_t>(processor), &one);

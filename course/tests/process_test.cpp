@@ -6,17 +6,18 @@
 #include <csignal>
 #include <thread>
 
-#ifdef __linux__
+#include "course/runner/catch2.h"
+#include "course/runner/platform.h"
+#include "course/runner/process.h"
+
+#if COURSE_LINUX
 #include <sys/prctl.h>
 #endif
-
-#include "course/runner/catch2.h"
-#include "course/runner/process.h"
 
 using namespace course;
 using std::chrono::milliseconds;
 
-#ifdef __linux__
+#if COURSE_LINUX
 
 namespace {
 

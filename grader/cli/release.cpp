@@ -14,9 +14,9 @@ namespace {
 namespace fs = std::filesystem;
 
 /// What of the top level a student gets; everything else stays here.
-constexpr const char* released[] = {"CMakeLists.txt", "course",
-                                    "exercises",      "data",
-                                    ".clang-format",  ".gitignore"};
+constexpr const char* released[] = {
+    "CMakeLists.txt", "course",  "exercises", "data",         ".clang-format",
+    ".gitignore",     ".clangd", ".vscode",   ".devcontainer"};
 
 /// Of data/, what holds submissions is not for students.
 bool is_withheld(const fs::path& path) {
@@ -31,6 +31,15 @@ void copy_tree(const fs::path& from, const fs::path& to) {
             copy_tree(entry.path(), to / entry.path().filename());
     } else {
         fs::copy_file(from, to);
+    }
+}
+
+/// `lab reset` puts a student's file back to what stands here.
+void keep_originals(const fs::path& dir) {
+    for (const course::Exercise& exercise : course::all_exercises()) {
+        const fs::path folder = dir / ".lab" / "originals" / exercise.topic;
+        fs::create_directories(folder);
+        fs::copy_file(exercise.skeleton(), folder / exercise.file_name());
     }
 }
 
@@ -79,6 +88,7 @@ int release_command(const fs::path& given) {
         if (const fs::path from = course::source_root() / name;
             fs::exists(from))
             copy_tree(from, making / name);
+    keep_originals(making);
     write_readme(making / "README.md");
     if (fs::exists(dir)) fs::remove(dir);
     fs::rename(making, dir);

@@ -121,7 +121,8 @@ std::set<std::string> names_in(const fs::path& folder) {
 
 TEST_CASE("the top level is the student's part of the tree") {
     std::set<std::string> names = names_in(copy());
-    for (const char* hidden : {".clang-format", ".gitignore"})
+    for (const char* hidden : {".clang-format", ".gitignore", ".clangd",
+                               ".vscode", ".devcontainer", ".lab"})
         names.erase(hidden);
     CHECK(names == std::set<std::string>{"CMakeLists.txt", "README.md",
                                          "course", "data", "exercises"});
@@ -137,6 +138,15 @@ TEST_CASE("the copy has every exercise with all its files") {
             CHECK(course::read_file(copy() / name) ==
                   course::read_file(entry.path()));
         }
+}
+
+TEST_CASE("the copy keeps an original of each file that a student edits") {
+    for (const course::Exercise& exercise : course::all_exercises()) {
+        INFO(exercise.name);
+        CHECK(course::read_file(copy() / ".lab" / "originals" / exercise.topic /
+                                exercise.file_name()) ==
+              course::read_file(exercise.skeleton()));
+    }
 }
 
 TEST_CASE("no file of solutions, grader or the sample class is in the copy") {

@@ -1,0 +1,78 @@
+#include "course/cli/rechecker.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "course/cli/check.h"
+#include "course/cli/explain_result.h"
+#include "course/runner/make_ready.h"
+
+namespace course {
+
+namespace {
+
+// Editors that format a file write it several times.
+constexpr std::chrono::milliseconds settling{20};
+
+/// Build the suite first, or not again.
+enum class Suite { to_build, built };
+
+int check_and_tell(const Desk& desk, const Exercise& exercise, Suite suite) {
+    if (suite == Suite::to_build) make_ready({exercise}, {JudgeKind::lab});
+    const ExerciseResult result = check_mine(desk, exercise);
+    fmt::print("{}", explain_result(exercise, desk.file(exercise), result));
+    return exit_code(result.verdict);
+}
+
+}  // namespace
+
+Rechecker::Rechecker(const Desk& desk, const Exercise& exercise)
+    : desk_(desk), exercise_(exercise), watch_(desk.file(exercise)) {
+    begin();
+}
+
+void Rechecker::begin() {
+    due_.reset();
+    run_.reset();
+    const Suite suite = is_ready_ ? Suite::built : Suite::to_build;
+    run_.emplace(
+        [this, suite] { return check_and_tell(desk_, exercise_, suite); });
+}
+
+std::vector<pollfd> Rechecker::waits_for() const {
+    std::vector<pollfd> list;
+    if (watch_.descriptor() >= 0)
+        list.push_back({watch_.descriptor(), POLLIN, 0});
+    if (run_) list.push_back({run_->descriptor(), POLLIN, 0});
+    return list;
+}
+
+std::chrono::milliseconds Rechecker::patience() const {
+    if (!due_) return watch_.patience();
+    const auto left =
+        std::chrono::ceil<std::chrono::milliseconds>(*due_ - Clock::now());
+    return std::clamp(left, std::chrono::milliseconds(0), watch_.patience());
+}
+
+bool Rechecker::step() {
+    if (watch_.has_changed()) due_ = Clock::now() + settling;
+    if (due_ && Clock::now() >= *due_) begin();
+    if (!run_ || !run_->has_ended()) return false;
+    outcome_ = {run_->output(), run_->code()};
+    is_ready_ = is_ready_ || run_->code() < 2;
+    run_.reset();
+    return !due_;
+}
+
+std::vector<int> wait_for(std::vector<pollfd> list,
+                          std::chrono::milliseconds most) {
+    ::poll(list.data(), static_cast<nfds_t>(list.size()),
+           static_cast<int>(most.count()));
+    std::vector<int> ready;
+    for (const pollfd& one : list)
+        if (one.revents != 0) ready.push_back(one.fd);
+    return ready;
+}
+
+}  // namespace course

@@ -50,6 +50,17 @@ std::string plain_line(const std::string& line) {
     return std::regex_replace(plain, link, "$1");
 }
 
+/// Prose, whose lines end where they did by accident.
+bool can_be_joined(const std::string& line) {
+    return !line.empty() && line[0] != '|' && line[0] != '#';
+}
+
+/// Items of a list, and what is set off by bold text.
+bool begins_anew(const std::string& line) {
+    static const std::regex start("^ *([-*] |[0-9]+[.] |[*][*]).*");
+    return std::regex_match(line, start);
+}
+
 }  // namespace
 
 bool is_found_by(const Exercise& exercise, const std::string& title,
@@ -90,7 +101,7 @@ std::string chapters_of(const Progress& progress) {
 std::string short_chapters_of(const Progress& progress) {
     std::string text;
     for (const auto& [topic, count] : counts_of(progress))
-        text += fmt::format("{}{} {}/{}", text.empty() ? "" : "  ",
+        text += fmt::format("{}{}:{}/{}", text.empty() ? "" : " ",
                             topic.substr(0, topic.find('_')), count.solved,
                             count.all);
     return text;
@@ -99,13 +110,17 @@ std::string short_chapters_of(const Progress& progress) {
 std::string plain_markdown(std::string_view markdown) {
     std::istringstream lines{std::string(markdown)};
     std::string text;
-    bool is_code = false;
+    bool is_code = false, was_prose = false;
     for (std::string line; std::getline(lines, line);) {
-        const bool is_fence = line.rfind("```", 0) == 0;
-        if (is_fence)
+        if (line.rfind("```", 0) == 0) {
             is_code = !is_code;
-        else
-            text += (is_code ? line : plain_line(line)) + "\n";
+            was_prose = false;
+            continue;
+        }
+        const bool is_prose = !is_code && can_be_joined(line);
+        if (was_prose && is_prose && !begins_anew(line)) text.back() = ' ';
+        text += (is_code ? line : plain_line(line)) + "\n";
+        was_prose = is_prose;
     }
     return text;
 }

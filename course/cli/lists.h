@@ -21,11 +21,11 @@ std::string list_of(const Progress& progress, Language language,
 /// A line for each chapter, with a bar, and one for all.
 std::string chapters_of(const Progress& progress);
 
-/// "00 5/5  01 2/10  ...", solved ones of each chapter.
+/// "00:5/5 01:2/10 ...", solved ones of each chapter.
 std::string short_chapters_of(const Progress& progress);
 
 /// Markdown as it is read on a terminal: without the signs of headings, of
-/// fences, of bold text and of links.
+/// fences, of bold text and of links, a line for each paragraph.
 std::string plain_markdown(std::string_view markdown);
 
 }  // namespace course

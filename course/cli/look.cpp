@@ -8,10 +8,13 @@
 #include "course/cli/commands.h"
 #include "course/cli/lists.h"
 #include "course/cli/progress.h"
+#include "course/cli/screen.h"
 
 namespace course {
 
 namespace {
+
+constexpr std::size_t usual_columns = 80;
 
 int list(const Desk& desk, const std::string& filter) {
     fmt::print("{}", list_of(read_progress(desk), language(), filter));
@@ -98,8 +101,11 @@ std::string statement_text(const Exercise& exercise) {
     const Language wanted = language();
     const Statement statement = statement_of(exercise, wanted);
     const bool has_it = statement.language == wanted;
-    return (has_it ? "" : "(Non ancora tradotto.)\n\n") +
-           plain_markdown(statement.text);
+    std::string text = has_it ? "" : "(Non ancora tradotto.)\n\n";
+    for (const std::string& line :
+         wrapped(plain_markdown(statement.text), usual_columns))
+        text += line + "\n";
+    return text;
 }
 
 void add_list(CLI::App& program, const Desk& desk, int& code) {

@@ -15,11 +15,12 @@ namespace {
 // Editors that format a file write it several times.
 constexpr std::chrono::milliseconds settling{20};
 
-/// Build the suite first, or not again.
-enum class Suite { to_build, built };
+int build_suite(const Exercise& exercise) {
+    make_ready({exercise}, {JudgeKind::lab});
+    return 0;
+}
 
-int check_and_tell(const Desk& desk, const Exercise& exercise, Suite suite) {
-    if (suite == Suite::to_build) make_ready({exercise}, {JudgeKind::lab});
+int check_and_tell(const Desk& desk, const Exercise& exercise) {
     const ExerciseResult result = check_mine(desk, exercise);
     fmt::print("{}", explain_result(exercise, desk.file(exercise), result));
     return exit_code(result.verdict);
@@ -34,10 +35,12 @@ Rechecker::Rechecker(const Desk& desk, const Exercise& exercise)
 
 void Rechecker::begin() {
     due_.reset();
+    if (is_building()) return;
     run_.reset();
-    const Suite suite = is_ready_ ? Suite::built : Suite::to_build;
-    run_.emplace(
-        [this, suite] { return check_and_tell(desk_, exercise_, suite); });
+    run_.emplace([this] {
+        return is_ready_ ? check_and_tell(desk_, exercise_)
+                         : build_suite(exercise_);
+    });
 }
 
 std::vector<pollfd> Rechecker::waits_for() const {
@@ -59,8 +62,12 @@ bool Rechecker::step() {
     if (watch_.has_changed()) due_ = Clock::now() + settling;
     if (due_ && Clock::now() >= *due_) begin();
     if (!run_ || !run_->has_ended()) return false;
+    if (is_building() && run_->code() == 0) {
+        is_ready_ = true;
+        begin();
+        return false;
+    }
     outcome_ = {run_->output(), run_->code()};
-    is_ready_ = is_ready_ || run_->code() < 2;
     run_.reset();
     return !due_;
 }

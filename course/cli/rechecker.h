@@ -20,8 +20,9 @@ struct CheckOutcome {
     int code = 0;
 };
 
-/// The newest save counts: a run that a save overtakes is given up, and saves
-/// in quick succession are waited out.
+/// The suite is built first, and never given up. Then the newest save counts: a
+/// check that a save overtakes is given up, and saves in quick succession are
+/// waited out.
 class Rechecker {
 public:
     /// The first check begins at once.
@@ -35,6 +36,7 @@ public:
     bool step();
 
     bool is_running() const { return run_.has_value(); }
+    bool is_building() const { return run_ && !is_ready_; }
     const std::optional<CheckOutcome>& outcome() const { return outcome_; }
     const Exercise& exercise() const { return exercise_; }
 

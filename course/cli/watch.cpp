@@ -7,6 +7,7 @@
 #include <csignal>
 #include <cstdio>
 #include <memory>
+#include <utility>
 
 #include "course/cli/check.h"
 #include "course/cli/commands.h"
@@ -74,7 +75,11 @@ private:
         list.push_back({terminal_.keys(), POLLIN, 0});
         list.push_back({terminal_.signals(), POLLIN, 0});
         if (all_) list.push_back({all_->descriptor(), POLLIN, 0});
-        const bool was_running = rechecker_->is_running();
+        const auto phase = [&] {
+            return std::pair(rechecker_->is_running(),
+                             rechecker_->is_building());
+        };
+        const auto before = phase();
         const auto ready = wait_for(std::move(list), rechecker_->patience());
         const auto is_ready = [&](int fd) {
             return std::count(ready.begin(), ready.end(), fd) > 0;
@@ -85,10 +90,11 @@ private:
             for (const int key : terminal_.read_keys()) press(key);
             is_new = true;
         }
-        return advance(was_running) || is_new;
+        return advance() || is_new || phase() != before;
     }
 
-    bool advance(bool was_running) {
+    /// Takes what has ended; true when there is something to show.
+    bool advance() {
         bool is_new = rechecker_->step();
         if (is_new) {
             // What was wrong is told from the beginning.
@@ -99,7 +105,7 @@ private:
             all_ended_ = true;
             is_new = true;
         }
-        return is_new || was_running != rechecker_->is_running();
+        return is_new;
     }
 
     void draw() { terminal_.show(screen_of(page(), terminal_.size(), top_)); }
@@ -122,7 +128,8 @@ private:
         return exercise_page(
             {exercise(), statement_, desk_.file(exercise()).string(),
              read_progress(desk_), desk_.is_untouched(exercise()),
-             rechecker_->is_running(), rechecker_->outcome(), hints_, note_},
+             rechecker_->is_running(), rechecker_->is_building(),
+             rechecker_->outcome(), hints_, note_},
             size);
     }
 

@@ -17,6 +17,7 @@ constexpr const char* keys =
     " n next  h hint  l list  r replay  c check all  x reset  o open  q quit";
 
 std::string_view state_of(const ExerciseView& view) {
+    if (view.is_building) return "building the suite ...";
     if (view.is_running) return "checking ...";
     if (!view.outcome) return "";
     if (view.outcome->code == 0) return "accepted";
@@ -96,7 +97,7 @@ Page list_page(const ListView& view, ScreenSize size) {
     for (std::size_t k = first; k < std::min(view.found.size(), first + room);
          ++k) {
         const std::string line = fmt::format(
-            "{} {:<14} {:<22} {:<7} {}", k == view.selected ? ">" : " ",
+            "{} {:<13} {:<24} {:<6} {}", k == view.selected ? ">" : " ",
             view.found[k].topic, view.found[k].name,
             words(view.progress.state(view.found[k])), view.titles[k]);
         page.body.push_back(fitted(line, size.columns));

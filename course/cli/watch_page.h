@@ -19,7 +19,7 @@ struct ExerciseView {
     std::string file;
     Progress progress;
     bool is_untouched = false;
-    bool is_running = false;
+    bool is_running = false, is_building = false;
     std::optional<CheckOutcome> outcome;
     std::size_t hints = 0;  ///< how many are shown
     std::string note;       ///< a line of lab's own; may be empty

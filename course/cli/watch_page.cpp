@@ -72,17 +72,19 @@ Page exercise_page(const ExerciseView& view, ScreenSize size) {
         page.head.push_back("\033[2m" + std::move(line));
     page.head.emplace_back();
     page.foot = keys;
-    const std::string result = hints_text(view) + result_text(view);
+    const std::string hints = hints_text(view), result = result_text(view),
+                      statement = statement_of(view);
     if (size.columns >= two_columns_from) {
         const std::size_t half = (size.columns - 3) / 2;
-        page.body = in_two_columns(wrapped(result, half),
-                                   wrapped(statement_of(view), half), half);
-        return page;
+        page.body = in_two_columns(wrapped(hints + result, half),
+                                   wrapped(statement, half), half);
+    } else {
+        page.body =
+            wrapped(hints + (view.is_untouched
+                                 ? stacked(statement, result, size.columns)
+                                 : stacked(result, statement, size.columns)),
+                    size.columns);
     }
-    page.body = wrapped(view.is_untouched
-                            ? stacked(statement_of(view), result, size.columns)
-                            : stacked(result, statement_of(view), size.columns),
-                        size.columns);
     return page;
 }
 

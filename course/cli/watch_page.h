@@ -25,8 +25,8 @@ struct ExerciseView {
     std::string note;       ///< a line of lab's own; may be empty
 };
 
-/// Result, hints and statement; the statement first while the file is
-/// untouched. On wide screens the statement stands on the right.
+/// Hints, result and statement; the statement before the result while the file
+/// is untouched. On wide screens the statement stands on the right.
 Page exercise_page(const ExerciseView& view, ScreenSize size);
 
 /// The list to choose from: exercises that `filter` finds, the selected one

@@ -2,11 +2,14 @@
 // no untouched skeleton passes its own check.
 #include <sys/wait.h>
 
+#include <fstream>
 #include <set>
 
+#include "course/cli/desk.h"
 #include "course/runner/catch2.h"
 #include "course/runner/exercises.h"
 #include "course/runner/process.h"
+#include "course/runner/temporary_folder.h"
 
 using namespace course;
 
@@ -19,12 +22,15 @@ struct Said {
     std::string text;
 };
 
-Said lab(std::vector<std::string> arguments) {
+Said lab(std::vector<std::string> arguments,
+         const std::vector<std::string>& environment = {}) {
     Command command;
     command.arguments = {build_root() / "course" / "lab"};
     command.arguments.insert(command.arguments.end(), arguments.begin(),
                              arguments.end());
     command.environment = plain_environment();
+    command.environment.insert(command.environment.end(), environment.begin(),
+                               environment.end());
     const Finished finished =
         run(command, std::chrono::seconds(100), std::size_t{1} << 20);
     REQUIRE_FALSE(finished.timed_out);
@@ -47,16 +53,16 @@ void check_usage_error(const std::vector<std::string>& arguments,
 }  // namespace
 
 TEST_CASE("wrong usage ends with 2 and says what is wrong") {
-    check_usage_error({}, "subcommand");
-    check_usage_error({"chek"}, "subcommand");
-    check_usage_error({"check"}, "exercise is required");
+    check_usage_error({"chek"}, "chek");
+    check_usage_error({"--work", "/no/such/folder"}, "/no/such/folder");
     check_usage_error({"check", "face_sides", "--no-such-option"},
                       "no-such-option");
     check_usage_error({"check", "face_sids"}, "did you mean face_sides?");
     check_usage_error({"check", "face_sides", "--file", "none.cpp"},
                       "none.cpp is no file");
     check_usage_error({"check", "face_sides", "--file", "/"}, "is no file");
-    check_usage_error({"hint"}, "exercise is required");
+    check_usage_error({"reset"}, "exercise is required");
+    check_usage_error({"submit", "face_sids"}, "did you mean face_sides?");
     check_usage_error({"hint", "no_such_exercise"}, "no exercise");
     check_usage_error({"hint", "face_sides", "0"}, "not 0");
     check_usage_error({"hint", "face_sides", "99"}, "not 99");
@@ -66,7 +72,8 @@ TEST_CASE("wrong usage ends with 2 and says what is wrong") {
 TEST_CASE("help ends with 0 and names the commands") {
     const Said said = lab({"--help"});
     CHECK(said.code == 0);
-    for (const std::string command : {"check", "list", "hint"}) {
+    for (const std::string command : {"check", "list", "hint", "next", "status",
+                                      "reset", "submit", "doctor", "figures"}) {
         CHECK(contains(said.text, command));
         CHECK(lab({command, "--help"}).code == 0);
     }
@@ -135,8 +142,85 @@ TEST_CASE("the reference of every exercise passes") {
     }
 }
 
-TEST_CASE("without --file the check is of the file in exercises") {
-    const Said said = lab({"check", "face_sides"});
-    CHECK(contains(said.text, "face_sides.cpp: "));
-    CHECK((said.code == 0 || said.code == 1));
+namespace {
+
+/// A student's folder: some exercises as they were handed out.
+struct Student {
+    TemporaryFolder folder;
+
+    Said lab(std::vector<std::string> arguments) const {
+        arguments.insert(arguments.begin(), {"--work", folder.path()});
+        return ::lab(std::move(arguments));
+    }
+    void solve(const std::string& name) const {
+        write(name, read_file(exercise_named(name).solution()));
+    }
+    void write(const std::string& name, const std::string& text) const {
+        std::ofstream(Desk{folder.path()}.file(exercise_named(name))) << text;
+    }
+};
+
+}  // namespace
+
+TEST_CASE("a student's way: reset, check, status, next, submit") {
+    if (!has_solutions()) return;
+    const Student student;
+    for (const std::string name : {"tip", "face_sides", "prev"})
+        REQUIRE(student.lab({"reset", name}).code == 0);
+    student.solve("tip");
+    CHECK(student.lab({"check", "tip"}).code == 0);
+    // Without a name: the one that was checked last.
+    CHECK(contains(student.lab({"check"}).text, "tip.cpp: accepted"));
+    CHECK(contains(student.lab({"list", "arrives"}).text, "tip  "));
+    CHECK(contains(student.lab({"list", "arrives"}).text, "solved"));
+    student.write("tip", "no C++\n");
+    const Said changed = student.lab({"status"});
+    CHECK(contains(changed.text, "Changed since they were accepted: tip"));
+    CHECK(student.lab({"check", "tip"}).code == 1);
+    CHECK(contains(student.lab({"status"}).text, "tip was solved and is"));
+    const Said all = student.lab({"check", "all"});
+    CHECK(all.code == 1);
+    CHECK(contains(all.text, "tip                    compile error"));
+    CHECK(contains(all.text, "0 accepted, 1 not accepted, "));
+    CHECK(student.lab({"next"}).code == 0);
+}
+
+TEST_CASE("submit packs what is begun, and says what is missing") {
+    if (!has_solutions()) return;
+    const Student student;
+    CHECK(student.lab({"submit"}).code == 2);
+    for (const std::string name : {"tip", "prev"})
+        REQUIRE(student.lab({"reset", name}).code == 0);
+    student.solve("tip");
+    const fs::path archive = student.folder / "mine.zip";
+    const Said one = student.lab({"submit", "tip", "--out", archive});
+    INFO(one.text);
+    CHECK(one.code == 0);
+    const std::string bytes = read_file(archive);
+    CHECK(bytes.rfind("PK\3\4", 0) == 0);
+    CHECK(contains(bytes, "tip.cpp"));
+    CHECK_FALSE(contains(bytes, "prev.cpp"));
+    CHECK(contains(bytes, read_file(exercise_named("tip").solution())));
+    const Said chapter = student.lab({"submit", "--out", archive});
+    CHECK(chapter.code == 1);
+    CHECK(contains(chapter.text, "Not in the archive:\n"));
+    CHECK(contains(chapter.text, "00_table/prev"));
+}
+
+TEST_CASE("LAB_LANG=it gives Italian, and a note where there is none") {
+    const Said hint = lab({"hint", "face_sides"}, {"LAB_LANG=it"});
+    CHECK(contains(hint.text, "1. Prendi la tabella"));
+    CHECK(contains(lab({"list", "tip"}, {"LAB_LANG=it"}).text,
+                   "Dove arriva un half-edge"));
+    const Said other = lab({"hint", "face_sides"}, {"LAB_LANG=fr"});
+    CHECK(other.code == 2);
+    CHECK(contains(other.text, "LAB_LANG is \"fr\""));
+}
+
+TEST_CASE("doctor tries the machine") {
+    const Student student;
+    const Said said = student.lab({"doctor"});
+    INFO(said.text);
+    CHECK(said.code == 0);
+    CHECK(contains(said.text, "This machine is ready."));
 }

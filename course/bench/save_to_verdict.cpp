@@ -88,6 +88,15 @@ double median(std::vector<Milliseconds> times) {
     return times[times.size() / 2].count();
 }
 
+void print_medians(double to_verdict, double alone) {
+    const double ratio = to_verdict / alone;
+    fmt::print(
+        "save to verdict {:.0f} ms, {} -c alone {:.0f} ms, medians of {}: "
+        "ratio {:.2f}, at most {}: {}\n",
+        to_verdict, fs::path(compiler()).filename().string(), alone, saves,
+        ratio, most_ratio, ratio <= most_ratio ? "met" : "NOT met");
+}
+
 int measure() {
     const TemporaryFolder folder;
     const Desk desk{folder.path()};
@@ -106,13 +115,7 @@ int measure() {
         alone.push_back(time_of(
             [&] { compile_alone(desk.file(exercise), folder / "alone.o"); }));
     }
-    const double ratio = median(to_verdict) / median(alone);
-    fmt::print(
-        "save to verdict {:.0f} ms, {} -c alone {:.0f} ms, medians of {}: "
-        "ratio {:.2f}, at most {}: {}\n",
-        median(to_verdict), fs::path(compiler()).filename().string(),
-        median(alone), saves, ratio, most_ratio,
-        ratio <= most_ratio ? "met" : "NOT met");
+    print_medians(median(to_verdict), median(alone));
     return 0;
 }
 

@@ -40,6 +40,28 @@ int check_one(const Desk& desk, const std::string& name, const fs::path& file) {
     return exit_code(result.verdict);
 }
 
+/// One on each core at a time.
+std::vector<ExerciseResult> judge_all(
+    const Desk& desk, const std::vector<Exercise>& exercises,
+    const std::function<void(std::size_t)>& each) {
+    std::vector<ExerciseResult> results(exercises.size());
+    std::atomic<std::size_t> next = 0;
+    std::size_t done = 0;
+    std::mutex one_at_a_time;
+    const auto work = [&] {
+        for (std::size_t k = next++; k < exercises.size(); k = next++) {
+            results[k] = check_file(exercises[k], desk.file(exercises[k]));
+            const std::lock_guard guard(one_at_a_time);
+            each(++done);
+        }
+    };
+    std::vector<std::jthread> threads;
+    for (unsigned k = 0; k < std::thread::hardware_concurrency(); ++k)
+        threads.emplace_back(work);
+    threads.clear();  // waits for them
+    return results;
+}
+
 }  // namespace
 
 int check_all(const Desk& desk) {
@@ -92,22 +114,7 @@ std::vector<ExerciseResult> check_many(
     const Desk& desk, const std::vector<Exercise>& exercises,
     const std::function<void(std::size_t)>& each) {
     make_ready(exercises, {JudgeKind::lab});
-    std::vector<ExerciseResult> results(exercises.size());
-    std::atomic<std::size_t> next = 0;
-    std::size_t done = 0;
-    std::mutex one_at_a_time;
-    const auto work = [&] {
-        for (std::size_t k = next++; k < exercises.size(); k = next++) {
-            results[k] = check_file(exercises[k], desk.file(exercises[k]));
-            const std::lock_guard guard(one_at_a_time);
-            each(++done);
-        }
-    };
-    {
-        std::vector<std::jthread> threads;
-        for (unsigned k = 0; k < std::thread::hardware_concurrency(); ++k)
-            threads.emplace_back(work);
-    }
+    const auto results = judge_all(desk, exercises, each);
     change_progress(desk, [&](Progress& progress) {
         for (std::size_t k = 0; k < exercises.size(); ++k)
             if (results[k].verdict != Verdict::grader_fault)

@@ -115,14 +115,17 @@ ${type} ${name}(${parameters}) {
     file(CONFIGURE OUTPUT ${glue}/${name}_entry.cpp CONTENT
 "// Generated: what the worker calls in a submission.
 #include \"${header}\"
+#include \"course/runner/platform.h\"
 #include \"course/runner/worker.h\"
 
 extern \"C\" const course::Entry course_entry;
 constinit const course::Entry course_entry = course::entry_for<&${name}>();
 
+#if COURSE_LINUX
 // Static variables with a destructor name it; the bare link has no crtbegin.
 extern \"C\" [[gnu::visibility(\"hidden\")]] void* __dso_handle;
 void* __dso_handle = nullptr;
+#endif
 ")
 endfunction()
 

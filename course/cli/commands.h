@@ -19,9 +19,12 @@ struct CannotBegin : std::runtime_error {
 /// CannotBegin where there is no such language.
 Language language();
 
-/// The statement in the student's language; a line before it says so where it
-/// has to be in another one.
-std::string statement_text(const Exercise& exercise);
+/// The statement in the student's language; where it has to be in another one,
+/// its text begins with a line that says so.
+Statement own_statement(const Exercise& exercise);
+
+/// Prints it for people to read.
+void print_statement(const Exercise& exercise);
 
 /// Adds the command to the program; `code` is set when it runs, on `desk` as it
 /// is then. Both outlive the program.

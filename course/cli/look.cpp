@@ -14,7 +14,8 @@ namespace course {
 
 namespace {
 
-constexpr std::size_t usual_columns = 80;
+constexpr const char* not_translated =
+    "(Questo testo non è ancora tradotto in italiano.)";
 
 int list(const Desk& desk, const std::string& filter) {
     fmt::print("{}", list_of(read_progress(desk), language(), filter));
@@ -66,19 +67,20 @@ int next(const Desk& desk) {
         fmt::print("Every exercise is solved.\n");
         return 0;
     }
-    fmt::print("{}\nYour file: {}\n", statement_text(exercise),
-               desk.file(exercise).string());
+    print_statement(exercise);
+    fmt::print("\nYour file: {}\n", desk.file(exercise).string());
     return 0;
 }
 
 int hint(const Desk& desk, const std::string& name, int number) {
     const Exercise exercise = exercise_or_current(desk, name);
-    const std::vector<std::string> hints =
-        statement_of(exercise, language()).hints;
+    const Statement statement = own_statement(exercise);
+    const std::vector<std::string>& hints = statement.hints;
     const int all = static_cast<int>(hints.size());
     if (number < 1 || number > all)
         throw CannotBegin(fmt::format("{} has hints 1 to {}, not {}",
                                       exercise.name, all, number));
+    if (statement.language != language()) fmt::print("{}\n", not_translated);
     for (int k = 0; k < number; ++k)
         fmt::print("{}. {}\n", k + 1, hints[static_cast<std::size_t>(k)]);
     if (number < all)
@@ -89,6 +91,13 @@ int hint(const Desk& desk, const std::string& name, int number) {
 
 }  // namespace
 
+void print_statement(const Exercise& exercise) {
+    constexpr std::size_t usual_columns = 80;
+    const std::string text = plain_markdown(own_statement(exercise).text);
+    for (const std::string& line : wrapped(text, usual_columns))
+        fmt::print("{}\n", line);
+}
+
 Language language() {
     const char* name = std::getenv("LAB_LANG");
     if (name == nullptr || *name == '\0') return Language::english;
@@ -97,15 +106,12 @@ Language language() {
         fmt::format("LAB_LANG is \"{}\": expected en or it", name));
 }
 
-std::string statement_text(const Exercise& exercise) {
+Statement own_statement(const Exercise& exercise) {
     const Language wanted = language();
-    const Statement statement = statement_of(exercise, wanted);
-    const bool has_it = statement.language == wanted;
-    std::string text = has_it ? "" : "(Non ancora tradotto.)\n\n";
-    for (const std::string& line :
-         wrapped(plain_markdown(statement.text), usual_columns))
-        text += line + "\n";
-    return text;
+    Statement statement = statement_of(exercise, wanted);
+    if (statement.language != wanted)
+        statement.text = not_translated + ("\n\n" + statement.text);
+    return statement;
 }
 
 void add_list(CLI::App& program, const Desk& desk, int& code) {

@@ -66,8 +66,8 @@ int submit(const Desk& desk, const std::vector<std::string>& words,
                asked.size() - have.size());
     const std::string missing = missing_of(asked, have);
     if (!missing.empty()) fmt::print("\nNot in the archive:\n{}", missing);
-    fmt::print("\n{} has {} files. Hand it in as it is.\n", out.string(),
-               files.size());
+    fmt::print("\n{} has {}. Hand it in as it is.\n", out.string(),
+               counted(files.size(), "file"));
     return missing.empty() ? exit_code(results)
                            : std::max(1, exit_code(results));
 }

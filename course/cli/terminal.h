@@ -62,7 +62,7 @@ public:
     void show(const std::vector<std::string>& lines);
 
     /// Runs a command of a shell, which has the terminal for itself; its exit
-    /// code. The command finds `file` as $LAB_FILE.
+    /// code. The command finds `file`, any path, as $LAB_FILE.
     int run(const std::string& command, const std::string& file);
 
     /// Stops this process until it is continued, as Ctrl-Z does.

@@ -33,7 +33,7 @@ void require_file(const Desk& desk, const Exercise& exercise) {
 int print_results(const Desk& desk) {
     const Exercise exercise = read_progress(desk).current_exercise();
     require_file(desk, exercise);
-    fmt::print("{}\n", statement_text(exercise));
+    print_statement(exercise);
     Rechecker rechecker(desk, exercise);
     for (bool input_ended = false; !input_ended || rechecker.is_running();) {
         std::vector<pollfd> list = rechecker.waits_for();
@@ -140,7 +140,7 @@ private:
         change_progress(desk_, [&](Progress& progress) {
             progress.current = exercise.name;
         });
-        statement_ = statement_of(exercise, language());
+        statement_ = own_statement(exercise);
         rechecker_ = std::make_unique<Rechecker>(desk_, exercise);
         hints_ = 0;
         show(Mode::exercise);
@@ -276,9 +276,11 @@ private:
 
     /// The replay is another command's: it takes the terminal until it ends.
     void replay() {
-        const std::string program = (build_root() / "course" / "lab").string();
+        const std::string program = build_root() / "course" / "lab";
         const int code =
-            terminal_.run("'" + program + "' demo " + exercise().name, "");
+            terminal_.run(fmt::format("'{}' --work \"$LAB_FILE\" demo {}",
+                                      program, exercise().name),
+                          desk_.root);
         if (code != 0)
             note_ = fmt::format("No replay of {} ({}).", exercise().name, code);
     }

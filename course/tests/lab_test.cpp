@@ -212,6 +212,10 @@ TEST_CASE("LAB_LANG=it gives Italian, and a note where there is none") {
     CHECK(contains(hint.text, "1. Prendi la tabella"));
     CHECK(contains(lab({"list", "tip"}, {"LAB_LANG=it"}).text,
                    "Dove arriva un half-edge"));
+    const Said missing = lab({"hint", "marching_cubes"}, {"LAB_LANG=it"});
+    CHECK(missing.code == 0);
+    CHECK(contains(missing.text, "non è ancora tradotto"));
+    CHECK(contains(missing.text, "1. "));
     const Said other = lab({"hint", "face_sides"}, {"LAB_LANG=fr"});
     CHECK(other.code == 2);
     CHECK(contains(other.text, "LAB_LANG is \"fr\""));

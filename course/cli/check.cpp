@@ -101,7 +101,7 @@ ExerciseResult check_mine(const Desk& desk, const Exercise& exercise) {
     const fs::path file = desk.file(exercise);
     require_file(file);
     const std::string text = read_file(file);
-    const ExerciseResult result = check_file(exercise, file);
+    ExerciseResult result = check_file(exercise, file);
     if (result.verdict != Verdict::grader_fault)
         change_progress(desk, [&](Progress& progress) {
             progress.current = exercise.name;
@@ -114,7 +114,7 @@ std::vector<ExerciseResult> check_many(
     const Desk& desk, const std::vector<Exercise>& exercises,
     const std::function<void(std::size_t)>& each) {
     make_ready(exercises, {JudgeKind::lab});
-    const auto results = judge_all(desk, exercises, each);
+    std::vector<ExerciseResult> results = judge_all(desk, exercises, each);
     change_progress(desk, [&](Progress& progress) {
         for (std::size_t k = 0; k < exercises.size(); ++k)
             if (results[k].verdict != Verdict::grader_fault)

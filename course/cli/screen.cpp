@@ -24,6 +24,18 @@ std::string without_tabs(std::string_view line) {
     return plain;
 }
 
+/// Bytes of the longest head that fits; of one character at least.
+std::size_t size_of_head(std::string_view line, std::size_t columns) {
+    std::size_t end = 0, used = 0;
+    while (end < line.size()) {
+        const Piece piece = first_piece(line.substr(end));
+        used += width(piece.bytes);
+        if (used > columns && end > 0) break;
+        end += piece.bytes.size();
+    }
+    return end;
+}
+
 /// Breaks one line; the indentation is kept, as far as it leaves some room.
 void wrap_line(std::string line, std::size_t columns,
                std::vector<std::string>& to) {
@@ -31,16 +43,15 @@ void wrap_line(std::string line, std::size_t columns,
         std::min(line.find_first_not_of(' '), line.size());
     const std::string margin(std::min(blanks, columns / 3), ' ');
     while (width(line) > columns) {
-        // The longest head that fits, without the sign that it was cut.
-        std::string head = fitted(line, columns + 1);
-        head.resize(head.size() - std::string_view("…").size());
-        const std::size_t space = head.rfind(' ');
+        const std::size_t fits = size_of_head(line, columns);
+        const std::size_t space = line.rfind(' ', fits);
         const bool has_words =
             space != std::string::npos && space > margin.size();
-        const std::size_t end = has_words ? space : head.size();
+        const std::size_t end = has_words ? space : fits;
         to.push_back(line.substr(0, end));
         const std::size_t rest = line.find_first_not_of(' ', end);
-        line = rest == std::string::npos ? "" : margin + line.substr(rest);
+        line.erase(0, std::min(rest, line.size()));
+        if (!line.empty()) line.insert(0, margin);
     }
     to.push_back(std::move(line));
 }

@@ -56,10 +56,14 @@ std::string zip_of(const std::map<std::string, std::string>& files) {
     std::string archive, directory;
     for (const auto& [name, text] : files) {
         const std::string header = common_header(name, text);
-        directory += packed({{4, 0x02014b50}, {2, made_on_unix}}) + header +
-                     packed({{2, 0}, {2, 0}, {2, 0}, {4, plain_file}}) +
-                     packed({{4, archive.size()}}) + name;
-        archive += packed({{4, 0x04034b50}}) + header + name + text;
+        for (const std::string& part :
+             {packed({{4, 0x02014b50}, {2, made_on_unix}}), header,
+              packed({{2, 0}, {2, 0}, {2, 0}, {4, plain_file}}),
+              packed({{4, archive.size()}}), name})
+            directory += part;
+        for (const std::string& part :
+             {packed({{4, 0x04034b50}}), header, name, text})
+            archive += part;
     }
     return archive + directory +
            packed({{4, 0x06054b50},

@@ -87,7 +87,9 @@ private:
         return line >= 0 && index(0, line) < dots_.size();
     }
     std::size_t index(int column, int line) const {
-        return static_cast<std::size_t>(line * columns_ + column);
+        return static_cast<std::size_t>(line) *
+                   static_cast<std::size_t>(columns_) +
+               static_cast<std::size_t>(column);
     }
 
     void dot(Point at) {

@@ -93,6 +93,8 @@ TEST_CASE("long lines are broken between words, and keep their margin") {
     CHECK(wrapped("", 9).empty());
     // Characters are counted, not bytes.
     CHECK(wrapped("äöü äöü", 7) == Lines{"äöü äöü"});
+    CHECK(wrapped("bbää", 3) == Lines{"bbä", "ä"});
+    CHECK(wrapped("one two", 3) == Lines{"one", "two"});
     CHECK(wrapped("面面 面", 5) == Lines{"面面", "面"});
 }
 

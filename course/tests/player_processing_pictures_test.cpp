@@ -1,6 +1,7 @@
 // The data of the pictures that are made by references, against counts and
 // formulas that do not use them.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <set>
@@ -100,13 +101,16 @@ TEST_CASE("the three normals are the weighted means of what is shown") {
     for (const Cut cut : {Cut::first, Cut::second}) {
         const WeighedCorner corner = weighed_corner(cut);
         Vec3 sums[3];
-        double angles = 0;
+        double angles = 0, area = 0;
         for (const WeighedTriangle& t : corner.triangles) {
             sums[0] = sums[0] + t.normal;
             sums[1] = sums[1] + t.area * t.normal;
             sums[2] = sums[2] + t.angle * t.normal;
             angles += t.angle;
+            area += t.area;
         }
+        // Sides of 2, 3 and 6, each whole or half of it at the corner.
+        CHECK(is_near(area, cut == Cut::first ? 2 + 1.5 + 6 : 2 + 3 + 3));
         for (std::size_t w = 0; w < 3; ++w)
             CHECK(is_near(dot(sums[w], corner.normals[w]), length(sums[w])));
         // Three right angles, however they are cut.
@@ -163,10 +167,12 @@ TEST_CASE(
         CHECK(way.clustered.error > 0.1);
         // A vertex moves by less than the diagonal of its cube.
         CHECK(way.clustered.error < way.cell * std::sqrt(3.0));
-        std::size_t bad = 0;
+        std::vector<std::array<int, 3>> bad;
         for (const auto& [edge, n] : brute::edges_of(way.clustered.mesh))
-            if (n > 2) ++bad;
-        CHECK(way.clustered.bad_edges.size() == bad);
+            if (n > 2) bad.push_back({edge.first, edge.second, n});
+        CHECK(way.clustered.bad_edges == bad);
+        // The page says so.
+        for (const auto& edge : bad) CHECK(edge[2] == 4);
     }
     CHECK(!ways[1].clustered.bad_edges.empty());
 }

@@ -17,8 +17,8 @@ DensityGrid cell_of(const DensityGrid& grid, std::array<int, 3> at) {
     for (int c = 0; c < 8; ++c) {
         const int x = at[0] + (c & 1), y = at[1] + (c >> 1 & 1),
                   z = at[2] + (c >> 2 & 1);
-        cell.density.push_back(grid.density[static_cast<std::size_t>(
-            x + grid.nx * (y + grid.ny * z))]);
+        const int point = x + grid.nx * (y + grid.ny * z);
+        cell.density.push_back(grid.density[static_cast<std::size_t>(point)]);
     }
     return cell;
 }

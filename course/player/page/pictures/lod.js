@@ -43,7 +43,7 @@ function draw_levels(panel, { distance, all }) {
 
 function make(place) {
     const frame = frame_of(points);
-    const far = add_solid(place, view, "as it is seen from there", frame);
+    const far = add_solid(place, view, "seen from there", frame);
     const near = add_solid(place, view, "the same, enlarged", frame);
     const panel = html("div", { class: "pane narrow beside levels" });
     place.append(panel);

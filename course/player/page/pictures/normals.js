@@ -158,7 +158,7 @@ const view = new View(146, 16);
 function make(place) {
     const { solid } = add_solid(
         place, view, "the corner of a box of 3 × 2 × 1",
-        { center: [2, 1.2, 1.1], around: 2.3, up: 1.1 });
+        { center: [2, 1.2, 1.1], around: 2.65, up: 1.1 });
     const panel = html("div", { class: "pane narrow beside" });
     place.append(panel);
     return (k) => {

@@ -40,9 +40,9 @@ struct Assignment {
 
     std::string name;
     std::vector<Item> exercises;  ///< in the order of the reports
-    HiddenFeedback hidden_feedback;
+    HiddenFeedback hidden_feedback = {};
     std::optional<DueDate> due = {};
-    double rounding = 0;    ///< totals are multiples of it; 0: not rounded
+    double rounding = 0;  ///< totals are multiples of it; 0: not rounded
 
     friend bool operator==(const Assignment&, const Assignment&) = default;
 };

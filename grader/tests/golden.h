@@ -8,6 +8,7 @@
 namespace grader::tests {
 
 using course::tests::file_contents;
+using course::tests::first_difference;
 
 /// Matches a text that contains `part`; its name differs between the versions.
 inline auto Containing(const std::string& part) {

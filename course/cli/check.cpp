@@ -4,7 +4,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cstdio>
 #include <memory>
 #include <mutex>
@@ -16,6 +15,7 @@
 #include "course/report/text.h"
 #include "course/runner/judge_submission.h"
 #include "course/runner/make_ready.h"
+#include "course/runner/pool.h"
 
 namespace course {
 
@@ -40,26 +40,29 @@ int check_one(const Desk& desk, const std::string& name, const fs::path& file) {
     return exit_code(result.verdict);
 }
 
-/// One on each core at a time.
-std::vector<ExerciseResult> judge_all(
-    const Desk& desk, const std::vector<Exercise>& exercises,
-    const std::function<void(std::size_t)>& each) {
-    std::vector<ExerciseResult> results(exercises.size());
-    std::atomic<std::size_t> next = 0;
-    std::size_t done = 0;
-    std::mutex one_at_a_time;
-    const auto work = [&] {
-        for (std::size_t k = next++; k < exercises.size(); k = next++) {
-            results[k] = check_file(exercises[k], desk.file(exercises[k]));
-            const std::lock_guard guard(one_at_a_time);
-            each(++done);
-        }
-    };
-    std::vector<std::jthread> threads;
-    for (unsigned k = 0; k < std::thread::hardware_concurrency(); ++k)
-        threads.emplace_back(work);
-    threads.clear();  // waits for them
-    return results;
+/// What was judged, and what came out.
+struct Checked {
+    std::string text;
+    ExerciseResult result;
+};
+
+/// Precondition: the suite is built.
+Checked check_now(const Desk& desk, const Exercise& exercise) {
+    const fs::path file = desk.file(exercise);
+    require_file(file);
+    std::string text = read_file(file);
+    return {std::move(text), check_file(exercise, file)};
+}
+
+void note(Progress& progress, const Exercise& exercise,
+          const Checked& checked) {
+    if (checked.result.verdict != Verdict::grader_fault)
+        progress.note(exercise, checked.text,
+                      checked.result.verdict == Verdict::accepted);
+}
+
+int cores() {
+    return static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
 }
 
 }  // namespace
@@ -98,29 +101,34 @@ ExerciseResult check_file(const Exercise& exercise, const fs::path& file) {
 }
 
 ExerciseResult check_mine(const Desk& desk, const Exercise& exercise) {
-    const fs::path file = desk.file(exercise);
-    require_file(file);
-    const std::string text = read_file(file);
-    ExerciseResult result = check_file(exercise, file);
-    if (result.verdict != Verdict::grader_fault)
+    Checked checked = check_now(desk, exercise);
+    if (checked.result.verdict != Verdict::grader_fault)
         change_progress(desk, [&](Progress& progress) {
             progress.current = exercise.name;
-            progress.note(exercise, text, result.verdict == Verdict::accepted);
+            note(progress, exercise, checked);
         });
-    return result;
+    return std::move(checked.result);
 }
 
 std::vector<ExerciseResult> check_many(
     const Desk& desk, const std::vector<Exercise>& exercises,
     const std::function<void(std::size_t)>& each) {
     make_ready(exercises, {JudgeKind::lab});
-    std::vector<ExerciseResult> results = judge_all(desk, exercises, each);
-    change_progress(desk, [&](Progress& progress) {
-        for (std::size_t k = 0; k < exercises.size(); ++k)
-            if (results[k].verdict != Verdict::grader_fault)
-                progress.note(exercises[k], read_file(desk.file(exercises[k])),
-                              results[k].verdict == Verdict::accepted);
+    std::vector<Checked> all(exercises.size());
+    std::size_t done = 0;
+    std::mutex one_at_a_time;
+    for_each_item(cores(), static_cast<int>(all.size()), [&](int, int item) {
+        const auto k = static_cast<std::size_t>(item);
+        all[k] = check_now(desk, exercises[k]);
+        const std::lock_guard guard(one_at_a_time);
+        each(++done);
     });
+    change_progress(desk, [&](Progress& progress) {
+        for (std::size_t k = 0; k < all.size(); ++k)
+            note(progress, exercises[k], all[k]);
+    });
+    std::vector<ExerciseResult> results;
+    for (Checked& one : all) results.push_back(std::move(one.result));
     return results;
 }
 

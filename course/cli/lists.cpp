@@ -63,19 +63,29 @@ bool begins_anew(const std::string& line) {
 
 }  // namespace
 
-bool is_found_by(const Exercise& exercise, const std::string& title,
-                 std::string_view words) {
-    const std::string all =
-        lower(exercise.topic + " " + exercise.name + " " + title);
-    return all.find(lower(words)) != std::string::npos;
+std::vector<Listed> all_listed(Language language) {
+    std::vector<Listed> all;
+    for (const Exercise& exercise : all_exercises())
+        all.push_back({exercise, statement_of(exercise, language).title});
+    return all;
 }
 
-std::string list_of(const Progress& progress, Language language,
-                    std::string_view filter) {
+std::vector<Listed> found_by(std::string_view words,
+                             const std::vector<Listed>& among) {
+    const std::string wanted = lower(words);
+    std::vector<Listed> found;
+    for (const Listed& one : among)
+        if (lower(one.exercise.topic + " " + one.exercise.name + " " +
+                  one.title)
+                .find(wanted) != std::string::npos)
+            found.push_back(one);
+    return found;
+}
+
+std::string list_of(const std::vector<Listed>& exercises,
+                    const Progress& progress) {
     std::string text, topic;
-    for (const Exercise& exercise : all_exercises()) {
-        const std::string title = statement_of(exercise, language).title;
-        if (!is_found_by(exercise, title, filter)) continue;
+    for (const auto& [exercise, title] : exercises) {
         if (exercise.topic != topic)
             text += fmt::format("{}{}\n", topic.empty() ? "" : "\n",
                                 exercise.topic);

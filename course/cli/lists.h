@@ -4,19 +4,29 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "course/cli/progress.h"
 #include "course/runner/statement.h"
 
 namespace course {
 
-/// Whether chapter, name or title has the words in it, in any case of letters.
-bool is_found_by(const Exercise& exercise, const std::string& title,
-                 std::string_view words);
+/// An exercise as lists show it.
+struct Listed {
+    Exercise exercise;
+    std::string title;
+};
+
+/// All exercises in the order of the course. Reads the statement of each.
+std::vector<Listed> all_listed(Language language);
+
+/// Those that have the words in chapter, name or title, in any case of letters.
+std::vector<Listed> found_by(std::string_view words,
+                             const std::vector<Listed>& among);
 
 /// A line for each exercise, below its chapter: name, state, title.
-std::string list_of(const Progress& progress, Language language,
-                    std::string_view filter);
+std::string list_of(const std::vector<Listed>& exercises,
+                    const Progress& progress);
 
 /// A line for each chapter, with a bar, and one for all.
 std::string chapters_of(const Progress& progress);

@@ -18,7 +18,8 @@ constexpr const char* not_translated =
     "(Questo testo non è ancora tradotto in italiano.)";
 
 int list(const Desk& desk, const std::string& filter) {
-    fmt::print("{}", list_of(read_progress(desk), language(), filter));
+    fmt::print("{}", list_of(found_by(filter, all_listed(language())),
+                             read_progress(desk)));
     fmt::print(
         "\nStatement of an exercise: exercises/<chapter>/<name>.md; "
         "your file: <name>.cpp\nCheck it with  ./course/lab check "

@@ -213,24 +213,23 @@ private:
     }
 
     void open_list() {
+        listed_ = all_listed(language());
         list_ = {};
+        list_.progress = read_progress(desk_);
         find();
         show(Mode::list);
     }
 
     void find() {
-        list_.progress = read_progress(desk_);
-        list_.found.clear();
-        list_.titles.clear();
-        list_.selected = 0;
-        for (const Exercise& one : all_exercises()) {
-            const std::string title = statement_of(one, language()).title;
-            if (!is_found_by(one, title, list_.filter)) continue;
-            if (one.name == exercise().name)
-                list_.selected = list_.found.size();
-            list_.found.push_back(one);
-            list_.titles.push_back(title);
-        }
+        list_.found = found_by(list_.filter, listed_);
+        const auto current = std::find_if(
+            list_.found.begin(), list_.found.end(), [&](const Listed& one) {
+                return one.exercise.name == exercise().name;
+            });
+        const bool is_there = current != list_.found.end();
+        list_.selected =
+            is_there ? static_cast<std::size_t>(current - list_.found.begin())
+                     : 0;
     }
 
     void press_in_list(int key) {
@@ -241,7 +240,7 @@ private:
         if (key == key_enter && !list_.found.empty())
             return try_to([&] {
                 mode_ = Mode::exercise;
-                go_to(list_.found[list_.selected]);
+                go_to(list_.found[list_.selected].exercise);
             });
         if (key == key_backspace && !list_.filter.empty())
             list_.filter.pop_back();
@@ -301,6 +300,7 @@ private:
     std::size_t top_ = 0;
     std::size_t hints_ = 0;
     std::string note_;
+    std::vector<Listed> listed_;  ///< what the list chooses from
     ListView list_;
     std::optional<BackgroundRun> all_;
     bool all_ended_ = false;

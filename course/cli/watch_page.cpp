@@ -100,8 +100,9 @@ Page list_page(const ListView& view, ScreenSize size) {
          ++k) {
         const std::string line = fmt::format(
             "{} {:<13} {:<24} {:<6} {}", k == view.selected ? ">" : " ",
-            view.found[k].topic, view.found[k].name,
-            words(view.progress.state(view.found[k])), view.titles[k]);
+            view.found[k].exercise.topic, view.found[k].exercise.name,
+            words(view.progress.state(view.found[k].exercise)),
+            view.found[k].title);
         page.body.push_back(fitted(line, size.columns));
     }
     if (view.found.empty()) page.body = {"  Nothing like that."};

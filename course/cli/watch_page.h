@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "course/cli/lists.h"
 #include "course/cli/progress.h"
 #include "course/cli/rechecker.h"
 #include "course/cli/screen.h"
@@ -32,8 +33,7 @@ Page exercise_page(const ExerciseView& view, ScreenSize size);
 /// The list to choose from: exercises that `filter` finds, the selected one
 /// marked and in sight.
 struct ListView {
-    std::vector<Exercise> found;
-    std::vector<std::string> titles;
+    std::vector<Listed> found;
     Progress progress;
     std::string filter;
     std::size_t selected = 0;

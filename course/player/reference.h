@@ -50,19 +50,11 @@ public:
     /// Throws as ReferenceWorker::call, and CodecError.
     R operator()(const std::remove_cvref_t<P>&... arguments) const {
         return decode<R>(worker_->call([&](Client& client, Request& request) {
-            (add(client, request, arguments), ...);
+            (add_argument(client, request, arguments), ...);
         }));
     }
 
 private:
-    template <class A>
-    static void add(Client& client, Request& request, const A& argument) {
-        if constexpr (std::is_same_v<A, HalfEdgeTable>)
-            client.add_table(request, argument);
-        else
-            put(request.arguments, argument);
-    }
-
     std::unique_ptr<ReferenceWorker> worker_;
 };
 

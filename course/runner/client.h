@@ -9,6 +9,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "course/halfedge/copies.h"
@@ -187,5 +188,15 @@ private:
     const HalfEdgeTable* walked_ = nullptr;
     std::uint64_t reply_extra_ = 0;  ///< what the call's input allows
 };
+
+/// Adds an argument of a call: a table as Client::add_table does, anything else
+/// by value.
+template <class A>
+void add_argument(Client& client, Request& request, const A& argument) {
+    if constexpr (std::is_same_v<A, HalfEdgeTable>)
+        client.add_table(request, argument);
+    else
+        put(request.arguments, argument);
+}
 
 }  // namespace course

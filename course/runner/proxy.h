@@ -83,14 +83,6 @@ void note_call(LastCall& last, const char* name, const A&... arguments) {
     };
 }
 
-template <class A>
-void add(Client& client, Request& request, const A& argument) {
-    if constexpr (std::same_as<A, HalfEdgeTable>)
-        client.add_table(request, argument);
-    else
-        put(request.arguments, argument);
-}
-
 }  // namespace detail
 
 /// Calls the student's function of this name in the worker. Throws WorkerFailed
@@ -102,7 +94,7 @@ R remote_call(const char* name, const A&... arguments) {
     client.begin_call();
     const std::string reply = client.call([&] {
         Request request;
-        (detail::add(client, request, arguments), ...);
+        (add_argument(client, request, arguments), ...);
         return request;
     });
     try {

@@ -82,6 +82,12 @@ void check_fits(const Lines& lines, ScreenSize size) {
     }
 }
 
+Lines screen_of_endless(ScreenSize size, std::size_t top = 0) {
+    Lines lines = screen_of(exercise_page(view_of_endless(), size), size, top);
+    check_fits(lines, size);
+    return lines;
+}
+
 }  // namespace
 
 TEST_CASE("long lines are broken between words, and keep their margin") {
@@ -144,32 +150,16 @@ TEST_CASE("a screen is full, scrolls, and stays in range") {
 
 TEST_CASE("an endless walk in a small terminal") {
     const ScreenSize size{80, 24};
-    std::size_t top = 0;
-    const Lines lines =
-        screen_of(exercise_page(view_of_endless(), size), size, top);
-    check_fits(lines, size);
-    check_golden("endless_80x24.txt", plain(lines));
-    top = 18;
-    check_golden(
-        "endless_80x24_below.txt",
-        plain(screen_of(exercise_page(view_of_endless(), size), size, top)));
+    check_golden("endless_80x24.txt", plain(screen_of_endless(size)));
+    check_golden("endless_80x24_below.txt", plain(screen_of_endless(size, 18)));
 }
 
 TEST_CASE("an endless walk in a large terminal, the statement beside it") {
-    const ScreenSize size{200, 50};
-    std::size_t top = 0;
-    const Lines lines =
-        screen_of(exercise_page(view_of_endless(), size), size, top);
-    check_fits(lines, size);
-    check_golden("endless_200x50.txt", plain(lines));
+    check_golden("endless_200x50.txt", plain(screen_of_endless({200, 50})));
 }
 
 TEST_CASE("a narrow terminal gets narrow lines") {
-    const ScreenSize size{40, 30};
-    std::size_t top = 0;
-    const Lines lines =
-        screen_of(exercise_page(view_of_endless(), size), size, top);
-    check_fits(lines, size);
+    screen_of_endless({40, 30});
 }
 
 TEST_CASE("an untouched exercise begins with its statement") {
@@ -183,17 +173,15 @@ TEST_CASE("an untouched exercise begins with its statement") {
 
 TEST_CASE("the selected exercise is in sight, however long the list is") {
     ListView view;
-    for (const Exercise& exercise : all_exercises()) {
-        view.found.push_back(exercise);
-        view.titles.emplace_back("title");
-    }
+    for (const Exercise& exercise : all_exercises())
+        view.found.push_back({exercise, "title"});
     for (const std::size_t selected :
          {std::size_t{0}, std::size_t{17}, view.found.size() - 1}) {
         view.selected = selected;
         std::size_t top = 0;
         const std::string text =
             plain(screen_of(list_page(view, {80, 24}), {80, 24}, top));
-        CHECK(text.find("> " + view.found[selected].topic) !=
+        CHECK(text.find("> " + view.found[selected].exercise.topic) !=
               std::string::npos);
     }
 }

@@ -1,8 +1,8 @@
 #include <mutex>
 
+#include "course/runner/pool.h"
 #include "grader/pipeline/executor.h"
 #include "grader/pipeline/keys.h"
-#include "grader/pipeline/pool.h"
 
 namespace grader {
 
@@ -31,7 +31,7 @@ ExerciseResult judge_one(const Task& task, const Judging& judging,
 void LocalExecutor::judge(const Tasks& tasks, const TakeResult& take,
                           const std::function<bool()>& stop) {
     std::mutex guard;
-    for_each_item(
+    course::for_each_item(
         jobs_, static_cast<int>(tasks.count),
         [&](int lane, int item) {
             const auto number = static_cast<std::size_t>(item);

@@ -6,9 +6,9 @@
 #include <atomic>
 #include <mutex>
 
+#include "course/runner/pool.h"
 #include "course/runner/statement.h"
 #include "grader/pipeline/keys.h"
-#include "grader/pipeline/pool.h"
 
 namespace grader {
 
@@ -246,7 +246,7 @@ std::vector<Validation> validate(
     const int all = static_cast<int>(trials.size());
     std::atomic<int> done = 0;
     std::mutex guard;
-    for_each_item(run.jobs, all, [&](int lane, int item) {
+    course::for_each_item(run.jobs, all, [&](int lane, int item) {
         Trial& trial = trials[static_cast<std::size_t>(item)];
         trial.result = carry_out(trial, run, *make_workplace(lane));
         const int now = ++done;

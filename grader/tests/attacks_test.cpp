@@ -21,9 +21,9 @@
 #include "course/runner/compile.h"
 #include "course/runner/judge_submission.h"
 #include "course/runner/limits.h"
+#include "course/runner/pool.h"
 #include "course/runner/temporary_folder.h"
 #include "grader/pipeline/attacks.h"
-#include "grader/pipeline/pool.h"
 #include "grader/report/feedback.h"
 #include "grader/report/gradescope.h"
 #include "grader/report/junit.h"
@@ -378,7 +378,7 @@ std::vector<Outcome> run(const std::vector<Attack>& attacks,
         std::fflush(stdout);
         outcomes[k] = std::move(outcome);
     };
-    grader::for_each_item(lanes, static_cast<int>(attacks.size()), one);
+    course::for_each_item(lanes, static_cast<int>(attacks.size()), one);
     return outcomes;
 }
 

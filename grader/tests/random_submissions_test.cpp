@@ -9,8 +9,8 @@
 #include <random>
 
 #include "course/runner/judge_submission.h"
+#include "course/runner/pool.h"
 #include "course/runner/temporary_folder.h"
-#include "grader/pipeline/pool.h"
 #include "grader/tests/grader_program.h"
 
 namespace fs = std::filesystem;
@@ -98,7 +98,7 @@ TEST_CASE("submissions that nobody wrote get a verdict each") {
     if (found.isolation == grader::Isolation::none) return;
     const auto exercises = course::all_exercises();
     std::mutex guard;
-    grader::for_each_item(2, how_many(), [&](int lane, int item) {
+    course::for_each_item(2, how_many(), [&](int lane, int item) {
         Random random(static_cast<unsigned>(item));
         const course::Exercise& exercise =
             exercises[random() % exercises.size()];

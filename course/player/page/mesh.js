@@ -144,13 +144,11 @@ class MeshPicture {
      */
     show(state) {
         this.state = state;
-        this.place.textContent = "";
-        const { width, height } = this.place.getBoundingClientRect();
-        if (!width || !height) return;
-        this.place.setAttribute("viewBox", `0 0 ${width} ${height}`);
+        const frame = emptied_frame(this.place);
+        if (!frame) return;
         const table = state.table || this.table;
         this.remember(table);
-        new MeshDrawing(this, table, { width, height }).draw();
+        new MeshDrawing(this, table, frame).draw();
     }
 }
 

@@ -9,6 +9,16 @@ function svg(tag, attributes = {}, parent = null) {
     return element;
 }
 
+/** Empties an SVG, which is measured in pixels from now on; its size, or
+    nothing while it is not shown. */
+function emptied_frame(place) {
+    place.textContent = "";
+    const { width, height } = place.getBoundingClientRect();
+    if (!width || !height) return null;
+    place.setAttribute("viewBox", `0 0 ${width} ${height}`);
+    return { width, height };
+}
+
 /** A new HTML element with attributes and children (nodes or text). */
 function html(tag, attributes = {}, ...children) {
     const element = document.createElement(tag);

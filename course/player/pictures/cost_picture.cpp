@@ -4,6 +4,7 @@
 #include "course/halfedge/build.h"
 #include "course/mesh/generators.h"
 #include "course/player/json.h"
+#include "course/player/pictures/elements.h"
 #include "course/player/pictures/pictures.h"
 
 namespace course {
@@ -50,13 +51,6 @@ void walk(const HalfEdgeTable& he, int i, OnFace on_face) {
         i = he[i].next;
         on_face(here, f);
     } while (i != start);
-}
-
-int leaving(const HalfEdgeTable& he, int v) {
-    const std::vector<HalfEdge>& rows = he.rows();
-    int i = 0;
-    while (rows[static_cast<std::size_t>(i)].vi != v) ++i;
-    return i;
 }
 
 /// A vertex in the middle of grid(n, n).

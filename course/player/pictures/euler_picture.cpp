@@ -9,6 +9,7 @@
 #include "course/mesh/generators.h"
 #include "course/mesh/zoo.h"
 #include "course/player/json.h"
+#include "course/player/pictures/elements.h"
 #include "course/player/pictures/orientation.h"
 #include "course/player/pictures/pictures.h"
 
@@ -21,9 +22,8 @@ using Edges = std::vector<Edge>;
 
 Edges edges_of(FaceList::Face corners) {
     Edges edges;
-    for (std::size_t k = 0; k < corners.size(); ++k)
-        edges.push_back(
-            std::minmax({corners[k], corners[(k + 1) % corners.size()]}));
+    for (const auto [from, to] : sides_of(corners))
+        edges.push_back(std::minmax({from, to}));
     return edges;
 }
 

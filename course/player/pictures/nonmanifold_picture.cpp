@@ -6,18 +6,12 @@
 #include "course/halfedge/build.h"
 #include "course/mesh/zoo.h"
 #include "course/player/json.h"
+#include "course/player/pictures/elements.h"
 #include "course/player/pictures/pictures.h"
 
 namespace course {
 
 namespace {
-
-bool runs(FaceList::Face corners, int a, int b) {
-    for (std::size_t k = 0; k < corners.size(); ++k)
-        if (corners[k] == a && corners[(k + 1) % corners.size()] == b)
-            return true;
-    return false;
-}
 
 /// One defect: what the builder says, and which way each face runs.
 Json defective(const IndexedMesh& mesh, const Defect& defect) {
@@ -25,7 +19,7 @@ Json defective(const IndexedMesh& mesh, const Defect& defect) {
     const int b = defect.vertices.at(1);
     std::vector<Json> uses;
     for (const int f : defect.faces) {
-        const bool forward = runs(mesh.faces[f], a, b);
+        const bool forward = has_side(mesh.faces[f], a, b);
         uses.push_back(Json::object(
             {{"face", f}, {"from", forward ? a : b}, {"to", forward ? b : a}}));
     }
@@ -52,7 +46,7 @@ std::vector<int> neighbours(const FaceList& faces, int v) {
     std::set<int> found;
     for (const FaceList::Face face : faces)
         for (const int u : face)
-            if (runs(face, u, v) || runs(face, v, u)) found.insert(u);
+            if (has_side(face, u, v) || has_side(face, v, u)) found.insert(u);
     return {found.begin(), found.end()};
 }
 
@@ -60,8 +54,7 @@ std::vector<int> neighbours(const FaceList& faces, int v) {
 Json walked(const char* name, const Fixture& fixture) {
     const HalfEdgeTable& he = fixture.he;
     const int v = bow_tie_vertices(fixture.mesh).at(0);
-    int start = 0;
-    while (he[start].vi != v) ++start;
+    const int start = leaving(he, v);
     std::vector<int> walk;
     int i = start;
     do {

@@ -4,6 +4,8 @@
 #include <optional>
 #include <set>
 
+#include "course/player/pictures/elements.h"
+
 namespace course {
 
 namespace {
@@ -19,7 +21,7 @@ public:
 
     void visit(int f, bool turned) {
         turned_[at(f)] = turned;
-        for (std::array<int, 2> edge : sides_of(f))
+        for (const std::array<int, 2> edge : turned_sides_of(f))
             if (const std::optional<int> g = across(edge, f))
                 if (passed_.insert(std::minmax(edge[0], edge[1])).second)
                     pass(edge, f, *g);
@@ -30,31 +32,29 @@ public:
 private:
     void pass(std::array<int, 2> edge, int f, int g) {
         const bool first = !turned_[at(g)].has_value();
-        const bool alike = has_side(g, edge);
+        const bool alike = runs_along(g, edge);
         steps.push_back({edge, f, g, alike, first});
         if (first) visit(g, alike);
     }
 
     /// The sides of f in its sense as it is by now.
-    std::vector<std::array<int, 2>> sides_of(int f) const {
+    std::vector<std::array<int, 2>> turned_sides_of(int f) const {
         std::vector<int> corners(mesh_.faces[f].begin(), mesh_.faces[f].end());
         if (turned_[at(f)].value_or(false))
             std::reverse(corners.begin(), corners.end());
-        std::vector<std::array<int, 2>> sides;
-        for (std::size_t k = 0; k < corners.size(); ++k)
-            sides.push_back({corners[k], corners[(k + 1) % corners.size()]});
-        return sides;
+        return sides_of(corners);
     }
 
-    bool has_side(int f, std::array<int, 2> edge) const {
-        const auto sides = sides_of(f);
+    /// As it is by now.
+    bool runs_along(int f, std::array<int, 2> edge) const {
+        const auto sides = turned_sides_of(f);
         return std::find(sides.begin(), sides.end(), edge) != sides.end();
     }
 
     std::optional<int> across(std::array<int, 2> edge, int f) const {
         for (int g = 0; g < mesh_.faces.size(); ++g)
             if (g != f &&
-                (has_side(g, edge) || has_side(g, {edge[1], edge[0]})))
+                (runs_along(g, edge) || runs_along(g, {edge[1], edge[0]})))
                 return g;
         return std::nullopt;
     }

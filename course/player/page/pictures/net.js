@@ -102,12 +102,10 @@ class NetPicture {
      */
     show(state) {
         this.state = state;
-        this.place.textContent = "";
-        const { width, height } = this.place.getBoundingClientRect();
-        if (!width || !height) return;
-        this.place.setAttribute("viewBox", `0 0 ${width} ${height}`);
+        const frame = emptied_frame(this.place);
+        if (!frame) return;
         this.font = parseFloat(getComputedStyle(this.place).fontSize);
-        this.fit(width, height);
+        this.fit(frame.width, frame.height);
         this.draw_faces();
         this.draw_edges();
         this.draw_arrows();

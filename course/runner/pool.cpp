@@ -1,4 +1,4 @@
-#include "grader/pipeline/pool.h"
+#include "course/runner/pool.h"
 
 #include <algorithm>
 #include <atomic>
@@ -7,7 +7,7 @@
 #include <thread>
 #include <vector>
 
-namespace grader {
+namespace course {
 
 void for_each_item(int lanes, int items,
                    const std::function<void(int lane, int item)>& work,
@@ -36,4 +36,4 @@ void for_each_item(int lanes, int items,
     if (error) std::rethrow_exception(error);
 }
 
-}  // namespace grader
+}  // namespace course

@@ -3,7 +3,7 @@
 
 #include <functional>
 
-namespace grader {
+namespace course {
 
 /// Calls work(lane, item) for each item in 0 <= item < items, on `lanes`
 /// threads; an item begins only after those before it have begun. Returns when
@@ -13,4 +13,4 @@ void for_each_item(
     int lanes, int items, const std::function<void(int lane, int item)>& work,
     const std::function<bool()>& stop = [] { return false; });
 
-}  // namespace grader
+}  // namespace course

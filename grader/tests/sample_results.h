@@ -254,7 +254,7 @@ inline Assignment sample_assignment() {
             {{"01_traversal/face_sides", 1},
              {"01_traversal/vertex_star", 1.5},
              {"02_border/boundary_walk", 1}},
-            FeedbackLevel::names_and_hints};
+            {FeedbackLevel::names_and_hints, FeedbackLevel::names_and_hints}};
 }
 
 inline ClassResults sample_class() {

@@ -84,9 +84,10 @@ int steps_that(const JsonValue& steps, const std::string& what) {
 IndexedMesh with_turned(const IndexedMesh& mesh, unsigned bits) {
     IndexedMesh turned{mesh.positions, {}, {}};
     for (int f = 0; f < mesh.faces.size(); ++f) {
-        std::vector<int> face(mesh.faces[f].begin(), mesh.faces[f].end());
-        if (bits >> f & 1U) std::reverse(face.begin(), face.end());
-        turned.faces.push_back(face);
+        const FaceList::Face face = mesh.faces[f];
+        std::vector<int> corners(face.begin(), face.end());
+        if (bits >> f & 1U) std::reverse(corners.begin(), corners.end());
+        turned.faces.push_back(corners);
     }
     return turned;
 }

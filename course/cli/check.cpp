@@ -7,7 +7,6 @@
 #include <cstdio>
 #include <memory>
 #include <mutex>
-#include <thread>
 
 #include "course/cli/commands.h"
 #include "course/cli/explain_result.h"
@@ -59,10 +58,6 @@ void note(Progress& progress, const Exercise& exercise,
     if (checked.result.verdict != Verdict::grader_fault)
         progress.note(exercise, checked.text,
                       checked.result.verdict == Verdict::accepted);
-}
-
-int cores() {
-    return static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
 }
 
 }  // namespace
@@ -117,7 +112,7 @@ std::vector<ExerciseResult> check_many(
     std::vector<Checked> all(exercises.size());
     std::size_t done = 0;
     std::mutex one_at_a_time;
-    for_each_item(cores(), static_cast<int>(all.size()), [&](int, int item) {
+    for_each_item(core_count(), static_cast<int>(all.size()), [&](int, int item) {
         const auto k = static_cast<std::size_t>(item);
         all[k] = check_now(desk, exercises[k]);
         const std::lock_guard guard(one_at_a_time);

@@ -5,6 +5,8 @@
 #include <cstdio>
 
 #include "course/cli/commands.h"
+#include "course/player/page_server.h"
+#include "course/player/record.h"
 #include "course/runner/exercises.h"
 
 namespace course {
@@ -20,6 +22,7 @@ void add_commands(CLI::App& program, const Desk& desk, int& code) {
     add_reset(program, desk, code);
     add_submit(program, desk, code);
     add_doctor(program, desk, code);
+    add_demo(program, desk, code);
     add_figures(program, code);
 }
 
@@ -59,6 +62,10 @@ int main(int argc, char** argv) {
     } catch (const course::UnknownExercise& error) {
         return course::complain(error, 2);
     } catch (const course::CannotBegin& error) {
+        return course::complain(error, 2);
+    } catch (const course::CannotShow& error) {
+        return course::complain(error, 2);
+    } catch (const course::CannotServe& error) {
         return course::complain(error, 2);
     } catch (const std::exception& error) {
         return course::complain(error, 3);

@@ -84,8 +84,8 @@ function(course_read_contract header function result_type parameters names)
     set(${names} "${found}" PARENT_SCOPE)
 endfunction()
 
-# The two generated sources of an exercise: the proxy that the judge calls, and
-# the entry that the worker calls.
+# The generated sources of an exercise: the proxy that the judge calls, and the
+# entries that the worker and the recorder of walks call.
 function(course_generate_glue topic name)
     set(header exercises/${topic}/${name}.h)
     set(glue ${CMAKE_BINARY_DIR}/glue)
@@ -126,6 +126,18 @@ constinit const course::Entry course_entry = course::entry_for<&${name}>();
 extern \"C\" [[gnu::visibility(\"hidden\")]] void* __dso_handle;
 void* __dso_handle = nullptr;
 #endif
+")
+    file(CONFIGURE OUTPUT ${glue}/${name}_walk.cpp CONTENT
+"// Generated: what the recorder of walks calls in a submission.
+#include \"${header}\"
+#include \"course/player/walk_entry.h\"
+
+extern \"C\" const course::WalkEntry course_walk_entry;
+constinit const course::WalkEntry course_walk_entry =
+    course::walk_entry_for<&${name}, \"${names}\">();
+
+extern \"C\" [[gnu::visibility(\"hidden\")]] void* __dso_handle;
+void* __dso_handle = nullptr;
 ")
 endfunction()
 
@@ -175,20 +187,28 @@ function(course_references_before topic name result)
     set(${result} ${headers} PARENT_SCOPE)
 endfunction()
 
-# What the worker calls, compiled once, where the compile step finds it; with
-# the references that it may call (ARGN), whose names a submission may define
-# anew for itself.
-function(course_entry name)
-    add_library(${name}_entry OBJECT ${CMAKE_BINARY_DIR}/glue/${name}_entry.cpp)
-    course_options(${name}_entry)
-    set(entry $<TARGET_OBJECTS:${name}_entry>)
-    set(file ${CMAKE_BINARY_DIR}/student/entries/${name}.o)
+# What calls a submission, compiled once, where the compile step finds it: file
+# <name>.o in `folder`, made by the target <name>_<kind>_file; with the
+# references that it may call, whose names a submission may define anew for
+# itself.
+# course_entry(kind folder name REFERENCES... DEFINITIONS...)
+function(course_entry kind folder name)
+    cmake_parse_arguments(ARG "" "" "REFERENCES;DEFINITIONS" ${ARGN})
+    set(target ${name}_${kind})
+    add_library(${target} OBJECT EXCLUDE_FROM_ALL
+                ${CMAKE_BINARY_DIR}/glue/${target}.cpp)
+    course_options(${target})
+    target_compile_definitions(${target} PRIVATE ${ARG_DEFINITIONS})
+    set(entry $<TARGET_OBJECTS:${target}>)
+    set(file ${CMAKE_BINARY_DIR}/student/${folder}/${name}.o)
     set(make_file ${CMAKE_COMMAND} -E copy ${entry} ${file})
-    if(ARGN)
-        add_library(${name}_before OBJECT ${ARGN})
-        course_options(${name}_before)
-        set(before $<TARGET_OBJECTS:${name}_before>)
-        set(weak ${CMAKE_BINARY_DIR}/glue/${name}_before.o)
+    if(ARG_REFERENCES)
+        set(references ${target}_references)
+        add_library(${references} OBJECT EXCLUDE_FROM_ALL ${ARG_REFERENCES})
+        course_options(${references})
+        target_compile_definitions(${references} PRIVATE ${ARG_DEFINITIONS})
+        set(before $<TARGET_OBJECTS:${references}>)
+        set(weak ${CMAKE_BINARY_DIR}/glue/${target}_references.o)
         set(make_file
             ${CMAKE_LINKER} -r -o ${weak} ${before}
             COMMAND ${CMAKE_OBJCOPY} --weaken ${weak}
@@ -197,9 +217,22 @@ function(course_entry name)
     add_custom_command(
         OUTPUT ${file}
         COMMAND ${make_file}
-        DEPENDS ${name}_entry ${entry} ${before}
+        DEPENDS ${target} ${entry} ${before}
         COMMAND_EXPAND_LISTS)
-    add_custom_target(${name}_entry_file ALL DEPENDS ${file})
+    add_custom_target(${target}_file DEPENDS ${file})
+endfunction()
+
+# The entries of an exercise: for the worker, and for the recorder of walks. The
+# recorder does not see inside of what a submission calls of earlier exercises.
+function(course_entries topic name)
+    course_entry(entry entries ${name} REFERENCES ${ARGN})
+    add_custom_target(${name}_entry_is_built ALL DEPENDS ${name}_entry_file)
+    file(STRINGS ${CMAKE_SOURCE_DIR}/exercises/${topic}/${name}.h tables
+         REGEX "^[^/#]*HalfEdgeTable")
+    if(tables)
+        course_entry(walk walks ${name} REFERENCES ${ARGN}
+                     DEFINITIONS COURSE_TABLE=2 COURSE_TABLE_SILENT)
+    endif()
 endfunction()
 
 # All targets of one exercise, from the files that it consists of:
@@ -222,9 +255,9 @@ function(course_add_exercise topic name)
         course_references_before(${topic} ${name} before)
         if(IS_DIRECTORY ${CMAKE_SOURCE_DIR}/solutions)
             list(APPEND reference ${before})
-            course_entry(${name} ${before})
+            course_entries(${topic} ${name} ${before})
         else()
-            course_entry(${name})
+            course_entries(${topic} ${name})
         endif()
     endif()
     set(hidden ${CMAKE_SOURCE_DIR}/grader/suites/${topic}/${name}_test.cpp)

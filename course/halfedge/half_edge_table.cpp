@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <string>
 
 #include "course/halfedge/table_errors.h"
@@ -21,7 +22,7 @@ int line_of(HalfEdgeIndex at) {
 #if COURSE_TABLE == 1
     return static_cast<int>(at.place);
 #else
-    return static_cast<int>(at.place / 4096);
+    return at.place < 0 ? 0 : static_cast<int>(at.place / 4096);
 #endif
 }
 
@@ -174,43 +175,114 @@ void HalfEdgeTable::fail(HalfEdgeIndex at) const {
 
 #if COURSE_TABLE == 2
 
-void HalfEdgeTable::start_trace() const {
-    // Stands for what happens before the first subscript, as a push_back.
-    events_ = {TraceEvent{-1, 0, 0, {}}};
+namespace {
+
+/// The recording of this process: a call may use several tables.
+struct TraceLog {
+    bool running = false;
+    std::size_t most = 0;
+    std::size_t size = 0;
+    std::vector<TraceEvent> events;
+    std::vector<std::int64_t> numbers;  // of the tables, as they are used
+
+    bool is_open() const { return running && size <= most; }
+
+    /// How a table is called in the events; -1 when it has none yet.
+    int index_of(std::int64_t number) const {
+        const auto found = std::find(numbers.begin(), numbers.end(), number);
+        return found == numbers.end()
+                   ? -1
+                   : static_cast<int>(found - numbers.begin());
+    }
+
+    void add(TraceEvent event) {
+        if (++size <= most) events.push_back(std::move(event));
+    }
+};
+
+TraceLog trace_log;
+
+/// The row as an array, in the order of the fields.
+std::array<int, 4> cells(const HalfEdge& row) {
+    return {row.vi, row.fi, row.next, row.opp};
+}
+
+}  // namespace
+
+std::int64_t TableNumber::next() {
+    static std::int64_t last = 0;
+    return ++last;
+}
+
+void HalfEdgeTable::start_trace(std::size_t most) const {
+    trace_log = {};
+    trace_log.running = true;
+    trace_log.most = most;
     shadow_ = rows_;
-    tracing_ = true;
+    begin_events();
 }
 
 std::vector<TraceEvent> HalfEdgeTable::stop_trace() const {
     note_changes();
-    tracing_ = false;
-    return std::move(events_);
+    trace_log.running = false;
+    return std::move(trace_log.events);
+}
+
+const std::size_t& HalfEdgeTable::trace_size() {
+    return trace_log.size;
+}
+
+void HalfEdgeTable::begin_events() const {
+    TraceEvent event{-1, 0, 0, {}, TraceEvent::Kind::begin};
+    event.table = static_cast<int>(trace_log.numbers.size());
+    event.rows = shadow_;
+    last_event_ = trace_log.size;
+    trace_log.numbers.push_back(number_.get());
+    trace_log.add(std::move(event));
+}
+
+void HalfEdgeTable::add_event(TraceEvent::Kind kind, int i,
+                              std::int64_t place) const {
+    if (!trace_log.running || place < 0) return;
+    if (!trace_log.is_open()) {
+        ++trace_log.size;
+        return;
+    }
+    if (trace_log.index_of(number_.get()) < 0) begin_events();
+    note_changes();
+    last_event_ = trace_log.size;
+    trace_log.add({i,
+                   static_cast<int>(place / 4096),
+                   static_cast<int>(place % 4096),
+                   {},
+                   kind,
+                   trace_log.index_of(number_.get())});
 }
 
 void HalfEdgeTable::note_changes() const {
-    if (!tracing_) return;
+    if (!trace_log.is_open() || last_event_ >= trace_log.events.size() ||
+        trace_log.index_of(number_.get()) < 0)
+        return;
     shadow_.resize(rows_.size());
     for (std::size_t i = 0; i < rows_.size(); ++i) {
-        const HalfEdge& was = shadow_[i];
-        const HalfEdge& is = rows_[i];
-        const int before[] = {was.vi, was.fi, was.next, was.opp};
-        const int after[] = {is.vi, is.fi, is.next, is.opp};
-        for (int field = 0; field < 4; ++field)
+        const auto before = cells(shadow_[i]), after = cells(rows_[i]);
+        for (std::size_t field = 0; field < 4; ++field)
             if (before[field] != after[field])
-                events_.back().changes.push_back(
-                    {static_cast<int>(i), field, before[field], after[field]});
-        shadow_[i] = is;
+                trace_log.events[last_event_].changes.push_back(
+                    {static_cast<int>(i), static_cast<int>(field),
+                     before[field], after[field]});
+        shadow_[i] = rows_[i];
     }
 }
 
 void HalfEdgeTable::note(HalfEdgeIndex at) const {
     ring_[--left_ & (ring_size - 1)] = {static_cast<int>(at.i), line_of(at)};
-    if (!tracing_) return;
-    note_changes();
-    events_.push_back({static_cast<int>(at.i),
-                       line_of(at),
-                       static_cast<int>(at.place % 4096),
-                       {}});
+    add_event(TraceEvent::Kind::subscript, static_cast<int>(at.i), at.place);
+}
+
+void HalfEdgeTable::append(const HalfEdge& row, std::int64_t place) {
+    add_event(TraceEvent::Kind::push_back, size(), place);
+    rows_.push_back(row);
 }
 
 #endif

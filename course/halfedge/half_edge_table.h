@@ -23,12 +23,22 @@
 #define COURSE_TABLE_NAMESPACE checked_table
 #else
 #define COURSE_TABLE_NAMESPACE traced_table
-#if defined(__clang__) || !__has_include(<source_location>)
-#define COURSE_LINE_AND_COLUMN            \
+// What a function takes to know from which place of the source it is called,
+// and that place. With COURSE_TABLE_SILENT nothing of what the file does is
+// recorded: for functions that the traced file only calls.
+#ifdef COURSE_TABLE_SILENT
+#define COURSE_HERE std::int64_t place_of_caller = -1
+#define COURSE_PLACE place_of_caller
+#elif defined(__clang__) || !__has_include(<source_location>)
+#define COURSE_HERE                       \
     std::int64_t line = __builtin_LINE(), \
                  std::int64_t column = __builtin_COLUMN()
+#define COURSE_PLACE (line * 4096 + (column < 4095 ? column : 4095))
 #else
 #include <source_location>
+#define COURSE_HERE std::source_location at = std::source_location::current()
+#define COURSE_PLACE \
+    (std::int64_t{at.line()} * 4096 + (at.column() < 4095 ? at.column() : 4095))
 #endif
 #endif
 
@@ -71,20 +81,11 @@ struct HalfEdgeIndex {
 /// As in the checked build, with the column.
 struct HalfEdgeIndex {
     std::int64_t i;
-    std::int64_t place;  // line * 4096 + column
+    std::int64_t place;  // line * 4096 + column; -1 silent
 
-#ifdef COURSE_LINE_AND_COLUMN
     // NOLINTNEXTLINE(google-explicit-constructor): he[i] converts i to it
-    constexpr HalfEdgeIndex(int index, COURSE_LINE_AND_COLUMN)
-        : i(index), place(line * 4096 + (column < 4095 ? column : 4095)) {}
-#else
-    // NOLINTNEXTLINE(google-explicit-constructor): he[i] converts i to it
-    constexpr HalfEdgeIndex(
-        int index, std::source_location at = std::source_location::current())
-        : i(index),
-          place(std::int64_t{at.line()} * 4096 +
-                (at.column() < 4095 ? at.column() : 4095)) {}
-#endif
+    constexpr HalfEdgeIndex(int index, COURSE_HERE)
+        : i(index), place(COURSE_PLACE) {}
 };
 #endif
 
@@ -97,14 +98,48 @@ struct Change {
     int after;
 };
 
-/// One use of the subscript in the traced build, and the changes of the table
-/// that were seen after it and before the next one. The first event of a trace
-/// is no subscript: it has the changes before all of them.
+/// One use of a table in the traced build, and the changes of that table that
+/// were seen after it and before its next one. The first event of each table is
+/// none that the source shows: it has the changes before all others.
 struct TraceEvent {
     int i;  ///< -1 in the first event
     int line;
     int column;  ///< as the compiler gives it: at or inside the brackets
     std::vector<Change> changes;
+
+    enum class Kind { begin, subscript, push_back };
+    Kind kind = Kind::subscript;
+    /// Which table: 0 is the one whose start_trace was called, others follow
+    /// in the order in which they are first used. A copy is a table of its own.
+    int table = 0;
+    /// In the first event of a table: what it was before the changes.
+    std::vector<HalfEdge> rows = {};
+};
+
+/// What tells tables apart while they are copied and moved: a copy gets a
+/// number of its own, a table that is moved keeps its number.
+class TableNumber {
+public:
+    TableNumber() : n_(next()) {}
+    TableNumber(const TableNumber&) : n_(next()) {}
+    TableNumber(TableNumber&& other) noexcept
+        : n_(std::exchange(other.n_, -1)) {}
+    TableNumber& operator=(const TableNumber&) {
+        n_ = next();
+        return *this;
+    }
+    TableNumber& operator=(TableNumber&& other) noexcept {
+        n_ = std::exchange(other.n_, -1);
+        return *this;
+    }
+    ~TableNumber() = default;
+
+    std::int64_t get() const { return n_; }
+
+private:
+    static std::int64_t next();
+
+    std::int64_t n_;
 };
 #endif
 
@@ -130,7 +165,13 @@ public:
     bool empty() const;
 
     /// Adds a row; its index is the size before.
+#if COURSE_TABLE == 2
+    void push_back(const HalfEdge& row, COURSE_HERE) {
+        append(row, COURSE_PLACE);
+    }
+#else
     void push_back(const HalfEdge& row);
+#endif
 
     /// Row i. Constant time.
     /// Throws OutOfTable when there is no such row, TooManyReads when the
@@ -156,7 +197,9 @@ public:
     // ---- for the course's own code: what a call read, and how much it may
 
     /// The rows, unchecked and uncounted.
-    const std::vector<HalfEdge>& rows() const { return rows_; }
+    const std::vector<HalfEdge>& rows() const {
+        return rows_;
+    }
 
 #if COURSE_TABLE != 0
     /// Reads that a call may make when nothing else is said: enough for any
@@ -199,9 +242,15 @@ public:
 #endif
 
 #if COURSE_TABLE == 2
-    /// Starts and ends recording; the events recorded so far are kept.
-    void start_trace() const;
+    /// Starts recording what is done with this table, and with those that are
+    /// made from now on: the first `most` events. What was recorded is lost.
+    void start_trace(std::size_t most = ~std::size_t{0}) const;
+
+    /// Ends it; the events in the order of time.
     std::vector<TraceEvent> stop_trace() const;
+
+    /// How many events there are since start_trace, also those not kept.
+    static const std::size_t& trace_size();
 #endif
 
 private:
@@ -252,11 +301,14 @@ private:
 };
 #else
     void note(HalfEdgeIndex at) const;
+    void append(const HalfEdge& row, std::int64_t place);
     void note_changes() const;
+    void begin_events() const;
+    void add_event(TraceEvent::Kind kind, int i, std::int64_t place) const;
 
-    mutable bool tracing_ = false;
-    mutable std::vector<HalfEdge> shadow_;  // the table at the last event
-    mutable std::vector<TraceEvent> events_;
+    TableNumber number_;
+    mutable std::vector<HalfEdge> shadow_;  // the rows at the last event
+    mutable std::size_t last_event_ = 0;    // of this table
 };
 #endif
 #endif
@@ -279,7 +331,13 @@ COURSE_INLINE HalfEdgeTable& HalfEdgeTable::operator=(const HalfEdgeTable&) =
     default;
 COURSE_INLINE HalfEdgeTable& HalfEdgeTable::operator=(
     HalfEdgeTable&&) noexcept = default;
+#if COURSE_TABLE == 2
+COURSE_INLINE HalfEdgeTable::~HalfEdgeTable() {
+    note_changes();
+}
+#else
 COURSE_INLINE HalfEdgeTable::~HalfEdgeTable() = default;
+#endif
 
 COURSE_INLINE HalfEdgeTable::HalfEdgeTable(std::initializer_list<HalfEdge> rows)
     : rows_(rows) {}
@@ -291,9 +349,11 @@ COURSE_INLINE int HalfEdgeTable::size() const {
 COURSE_INLINE bool HalfEdgeTable::empty() const {
     return rows_.empty();
 }
+#if COURSE_TABLE != 2
 COURSE_INLINE void HalfEdgeTable::push_back(const HalfEdge& row) {
     rows_.push_back(row);
 }
+#endif
 COURSE_INLINE HalfEdgeTable::iterator HalfEdgeTable::begin() {
     charge();
     return rows_.data();

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <map>
 #include <optional>
 
 namespace course {
@@ -133,21 +134,38 @@ public:
     }
 
     Place place_of(const TraceEvent& event) const {
-        Place place;
-        place.line = event.line;
-        if (event.line < 1 || event.column < 1 ||
-            static_cast<std::size_t>(event.line) > line_starts_.size())
-            return place;
-        const std::size_t at =
-            line_starts_[static_cast<std::size_t>(event.line) - 1] +
-            static_cast<std::size_t>(event.column) - 1;
-        if (at >= code_.size()) return place;
+        const std::size_t at = offset_of(event);
+        if (at == npos) return {"", event.line};
         std::optional<Range> range = macro_at(at);
         if (!range) range = subscript_at(at);
-        return range ? placed(*range) : place;
+        return range ? placed(*range) : Place{"", event.line};
+    }
+
+    /// he.push_back({...}) round the place that a compiler gives: g++ that of
+    /// the parenthesis, clang that of the first character.
+    Place call_of(const TraceEvent& event, const std::string& name) const {
+        const std::size_t at = offset_of(event);
+        if (at == npos) return {"", event.line};
+        const std::size_t start =
+            code_[at] == '(' ? code_.rfind(name, at) : code_.find(name, at);
+        if (start == npos) return {"", event.line};
+        const std::size_t open = skip_blanks(code_, start + name.size());
+        return placed({begin_of_operand(code_, start - 1),
+                       start + name.size() - 1, after_arguments(open), ""});
     }
 
 private:
+    /// Where in the text an event is; npos when that is not known.
+    std::size_t offset_of(const TraceEvent& event) const {
+        if (event.line < 1 || event.column < 1 ||
+            static_cast<std::size_t>(event.line) > line_starts_.size())
+            return npos;
+        const std::size_t at =
+            line_starts_[static_cast<std::size_t>(event.line) - 1] +
+            static_cast<std::size_t>(event.column) - 1;
+        return at < code_.size() ? at : npos;
+    }
+
     /// he[...].next round the place that a compiler gives: g++ that of the ],
     /// clang that of the first character of the index.
     std::optional<Range> subscript_at(std::size_t at) const {
@@ -260,23 +278,34 @@ private:
 class Replay {
 public:
     Replay(const HalfEdgeTable& initial, std::string_view source)
-        : source_(source), rows_(initial.rows()) {}
+        : source_(source), tables_{{0, initial.rows()}} {}
 
     void add(const TraceEvent& event) {
+        found_.first.push_back(found_.steps.size());
+        rows_ = &tables_[event.table];
         std::vector<Change> changes = event.changes;
-        if (event.i >= 0) add_subscript(event, changes);
-        for (const Change& change : changes) add_hidden_write(change);
+        if (event.kind == TraceEvent::Kind::begin && event.table > 0)
+            *rows_ = event.rows;
+        if (event.kind == TraceEvent::Kind::push_back)
+            add_row(event, changes);
+        else if (event.i >= 0)
+            add_subscript(event, changes);
+        for (const Change& change : changes)
+            add_hidden_write(event.table, change);
         for (const Change& change : event.changes)
             cell(row(change.i), change.field) = change.after;
     }
 
-    std::vector<TraceStep> steps() && { return std::move(steps_); }
+    StepsByEvent steps() && {
+        found_.first.push_back(found_.steps.size());
+        return std::move(found_);
+    }
 
 private:
     HalfEdge& row(int i) {
         const auto at = static_cast<std::size_t>(i);
-        if (at >= rows_.size()) rows_.resize(at + 1);
-        return rows_[at];
+        if (at >= rows_->size()) rows_->resize(at + 1);
+        return (*rows_)[at];
     }
 
     /// The step that the source shows; takes its change off the list.
@@ -284,6 +313,7 @@ private:
         const Place place = source_.place_of(event);
         TraceStep step{event.i,  place.field, place.line, place.from,
                        place.to, place.write, 0,          0};
+        step.table = event.table;
         const int field = static_cast<int>(
             std::find(field_names.begin(), field_names.end(), place.field) -
             field_names.begin());
@@ -296,31 +326,45 @@ private:
             step.value = own->after;
             changes.erase(own);
         }
-        steps_.push_back(step);
+        found_.steps.push_back(step);
+    }
+
+    /// A row that is appended; what it consists of is no write of its own.
+    void add_row(const TraceEvent& event, std::vector<Change>& changes) {
+        const Place place = source_.call_of(event, "push_back");
+        TraceStep step{event.i,  "",   place.line, place.from,
+                       place.to, true, 0,          0};
+        step.added = true;
+        step.table = event.table;
+        std::erase_if(changes, [&](const Change& c) { return c.i == event.i; });
+        found_.steps.push_back(step);
     }
 
     /// A write that stands elsewhere than its subscript.
-    void add_hidden_write(const Change& change) {
+    void add_hidden_write(int table, const Change& change) {
         const std::string name =
             field_names[static_cast<std::size_t>(change.field)];
         TraceStep step{change.i,     name,         0, 0, 0, true,
                        change.after, change.before};
+        step.table = table;
+        std::vector<TraceStep>& steps = found_.steps;
         const auto taken = std::find_if(
-            steps_.rbegin(), steps_.rend(), [&](const TraceStep& earlier) {
-                return earlier.i == change.i &&
+            steps.rbegin(), steps.rend(), [&](const TraceStep& earlier) {
+                return earlier.i == change.i && earlier.table == table &&
                        (earlier.field.empty() || earlier.field == name);
             });
-        if (taken != steps_.rend()) {
+        if (taken != steps.rend()) {
             step.line = taken->line;
             step.from = taken->from;
             step.to = taken->to;
         }
-        steps_.push_back(step);
+        steps.push_back(step);
     }
 
     Source source_;
-    std::vector<HalfEdge> rows_;
-    std::vector<TraceStep> steps_;
+    std::map<int, std::vector<HalfEdge>> tables_;
+    std::vector<HalfEdge>* rows_ = nullptr;  // of the event's table
+    StepsByEvent found_;
 };
 
 }  // namespace
@@ -328,6 +372,12 @@ private:
 std::vector<TraceStep> trace_steps(const std::vector<TraceEvent>& events,
                                    const HalfEdgeTable& initial,
                                    std::string_view source) {
+    return steps_by_event(events, initial, source).steps;
+}
+
+StepsByEvent steps_by_event(const std::vector<TraceEvent>& events,
+                            const HalfEdgeTable& initial,
+                            std::string_view source) {
     Replay replay(initial, source);
     for (const TraceEvent& event : events) replay.add(event);
     return std::move(replay).steps();

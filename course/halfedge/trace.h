@@ -23,8 +23,10 @@ struct TraceStep {
                         ///< after it; of an expression over several lines,
                         ///< those on the line with the ]; 0 when not known
     bool write;
-    int value;   ///< of the cell, after the write; 0 without a field
-    int before;  ///< and before it; the same for a read
+    int value;           ///< of the cell, after the write; 0 without a field
+    int before;          ///< and before it; the same for a read
+    bool added = false;  ///< the row is new: by push_back
+    int table = 0;       ///< as in TraceEvent
 
     friend bool operator==(const TraceStep&, const TraceStep&) = default;
 };
@@ -39,6 +41,16 @@ struct TraceStep {
 std::vector<TraceStep> trace_steps(const std::vector<TraceEvent>& events,
                                    const HalfEdgeTable& initial,
                                    std::string_view source);
+
+/// The same steps, and where those of each event begin: steps of event k are
+/// first[k] to first[k + 1].
+struct StepsByEvent {
+    std::vector<TraceStep> steps;
+    std::vector<std::size_t> first;
+};
+StepsByEvent steps_by_event(const std::vector<TraceEvent>& events,
+                            const HalfEdgeTable& initial,
+                            std::string_view source);
 
 }  // namespace course
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <utility>
 
 #include "course/report/escape.h"
 
@@ -37,13 +38,22 @@ Json::Json(FaceList::Face corners) : text_(array_of(corners)) {}
 Json Json::object(
     std::initializer_list<std::pair<std::string_view, Json>> members) {
     Json json;
-    json.text_ = "{";
-    for (const auto& [name, value] : members) {
-        if (json.text_.size() > 1) json.text_ += ',';
-        json.text_ += Json(name).text_ + ':' + value.text_;
-    }
-    json.text_ += '}';
+    json.text_ = "{}";
+    for (const auto& [name, value] : members) json.add(name, value);
     return json;
+}
+
+Json Json::verbatim(std::string text) {
+    Json json;
+    json.text_ = std::move(text);
+    return json;
+}
+
+Json& Json::add(std::string_view name, const Json& value) {
+    text_.pop_back();
+    if (text_ != "{") text_ += ',';
+    text_ += Json(name).text_ + ':' + value.text_ + '}';
+    return *this;
 }
 
 }  // namespace course

@@ -1,6 +1,8 @@
 // JSON as text, for recordings and the data of pages. Written only, never read.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <initializer_list>
 #include <string>
@@ -27,6 +29,7 @@ public:
     Json(bool value) : text_(value ? "true" : "false") {}
     Json(int value) : text_(std::to_string(value)) {}
     Json(std::int64_t value) : text_(std::to_string(value)) {}
+    Json(std::size_t value) : text_(std::to_string(value)) {}
     Json(double value) : text_(json_number(value)) {}
     Json(const char* value) : Json(std::string_view(value)) {}
     Json(const std::string& value) : Json(std::string_view(value)) {}
@@ -39,6 +42,8 @@ public:
     Json(FaceList::Face corners);
     template <class T>
     Json(const std::vector<T>& values) : text_(array_of(values)) {}
+    template <std::size_t n>
+    Json(const std::array<int, n>& values) : text_(array_of(values)) {}
     Json(const FaceList& faces) : text_(array_of(faces)) {}
     // NOLINTEND(google-explicit-constructor)
 
@@ -49,6 +54,12 @@ public:
     }
     static Json object(
         std::initializer_list<std::pair<std::string_view, Json>> members);
+
+    /// Text that is JSON already.
+    static Json verbatim(std::string json);
+
+    /// One more member of an object.
+    Json& add(std::string_view name, const Json& value);
 
     const std::string& text() const { return text_; }
 

@@ -32,8 +32,8 @@ std::string make_page(const PageParts& parts) {
         "\n<meta name=\"viewport\" content=\"width=device-width, "
         "initial-scale=1\">\n<meta http-equiv=\"Content-Security-Policy\" "
         "content=\"default-src 'none'; style-src 'unsafe-inline'; script-src "
-        "'unsafe-inline'; img-src data:\">\n<link rel=\"icon\" "
-        "href=\"data:,\">\n<title>" +
+        "'unsafe-inline'; img-src data:; " +
+        parts.policy + "\">\n<link rel=\"icon\" href=\"data:,\">\n<title>" +
         escape_html(parts.title) + "</title>\n<style>\n";
     for (const std::string& style : parts.styles) page += part(style);
     page += "</style>\n</head>\n<body>\n" + part(parts.body) +

@@ -17,6 +17,9 @@ struct PageParts {
     std::string body;  ///< the inner part of <body>
     std::vector<std::string> scripts;
     std::string data;  ///< JSON; scripts read it as `page_data`
+    /// More that it may load, as a content security policy says it; a page
+    /// that is a file needs nothing but itself.
+    std::string policy = {};
 };
 
 /// The whole file. Throws SystemError when a part cannot be read.

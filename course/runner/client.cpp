@@ -1,4 +1,5 @@
 #include "course/runner/client.h"
+#include "course/runner/signal_text.h"
 
 #include <fmt/format.h>
 #include <poll.h>
@@ -47,33 +48,9 @@ std::uint64_t nonce() {
     return std::uint64_t{source()} << 32 | source();
 }
 
-std::string signal_text(int signal) {
-    switch (signal) {
-        case SIGSEGV:
-            return "segmentation fault: it used a bad pointer or an "
-                   "index far outside an array";
-        case SIGBUS:
-            return "bus error: it used a bad pointer";
-        case SIGFPE:
-            return "arithmetic error: a division by zero?";
-        case SIGILL:
-            return "illegal instruction: does every path of the "
-                   "function return a value?";
-        case SIGABRT:
-            return "aborted: an assertion of the library failed, or "
-                   "an exception was not caught";
-        case SIGTRAP:
-            return "trapped: does every path of the function return "
-                   "a value?";
-        default:
-            return fmt::format("ended by signal {}", signal);
-    }
-}
-
 std::string crash_text(const Crash& crash) {
-    std::string text = crash.stack_overflow != 0
-                           ? "the stack is full: a recursion that does not end?"
-                           : signal_text(crash.signal);
+    std::string text = crash.stack_overflow != 0 ? stack_overflow_text
+                                                 : signal_text(crash.signal);
     const int n = std::clamp(crash.visit_count, 0, 64);
     if (n > 0)
         text += fmt::format("; the last use of the table was he[{}] at line {}",

@@ -33,6 +33,14 @@ std::string plain_name(const std::string& symbol) {
     return for_students(std::move(text));
 }
 
+/// What every compile step begins with.
+std::vector<std::string> compiler_and_flags(const std::string& program) {
+    std::vector<std::string> arguments = {program};
+    std::istringstream flags(COURSE_STUDENT_FLAGS);
+    for (std::string flag; flags >> flag;) arguments.push_back(flag);
+    return arguments;
+}
+
 }  // namespace
 
 std::string compiler() {
@@ -45,6 +53,18 @@ std::filesystem::path student_include() {
 
 std::filesystem::path entry_object(const Exercise& exercise) {
     return build_root() / "student" / "entries" / (exercise.name + ".o");
+}
+
+fs::path walk_entry_object(const Exercise& exercise) {
+    return build_root() / "student" / "walks" / (exercise.name + ".o");
+}
+
+std::vector<fs::path> own_sources_before(const Exercise& exercise) {
+    std::vector<fs::path> sources;
+    if (has_solutions()) return sources;
+    for (const Exercise& before : exercises_before(exercise))
+        sources.push_back(before.skeleton());
+    return sources;
 }
 
 Prelude prelude_for(std::string_view source) {
@@ -68,14 +88,31 @@ std::vector<std::string> compile_arguments(const std::string& source,
                                            const std::string& include,
                                            Prelude prelude) {
     const std::string header = preludes[static_cast<int>(prelude)];
-    std::vector<std::string> arguments = {compiler()};
-    std::istringstream flags(COURSE_STUDENT_FLAGS);
-    for (std::string flag; flags >> flag;) arguments.push_back(flag);
+    std::vector<std::string> arguments = compiler_and_flags(compiler());
     for (const std::string& argument :
          {std::string("-I") + include, std::string("-include"),
           fmt::format("{}/{}", include, header), std::string("-c"), source,
           std::string("-o"), object})
         arguments.push_back(argument);
+    return arguments;
+}
+
+std::vector<std::string> traced_compile_arguments(const std::string& source,
+                                                  const std::string& object,
+                                                  Tracing tracing,
+                                                  const std::string& with) {
+    std::vector<std::string> arguments =
+        compiler_and_flags(with.empty() ? compiler() : with);
+    const fs::path traced = build_root() / "student" / "traced";
+    const std::string prelude = with.empty() ? "prelude.h" : "plain_prelude.h";
+    for (const std::string& argument :
+         {std::string("-g"), std::string("-gno-column-info"),
+          std::string("-DCOURSE_TABLE=2"), "-I" + student_include().string(),
+          std::string("-include"), (traced / prelude).string(),
+          std::string("-c"), source, std::string("-o"), object})
+        arguments.push_back(argument);
+    if (tracing == Tracing::silent)
+        arguments.push_back("-DCOURSE_TABLE_SILENT");
     return arguments;
 }
 
@@ -96,10 +133,10 @@ std::vector<std::string> link_arguments(std::vector<std::string> objects,
 }
 
 std::string for_students(std::string messages) {
-    const std::string inner = "checked_table::";
-    for (auto at = messages.find(inner); at != std::string::npos;
-         at = messages.find(inner, at))
-        messages.erase(at, inner.size());
+    for (const std::string inner : {"checked_table::", "traced_table::"})
+        for (auto at = messages.find(inner); at != std::string::npos;
+             at = messages.find(inner, at))
+            messages.erase(at, inner.size());
     return messages;
 }
 

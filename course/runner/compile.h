@@ -26,6 +26,14 @@ std::filesystem::path student_include();
 /// What the worker calls, compiled already.
 std::filesystem::path entry_object(const Exercise& exercise);
 
+/// The same for the recorder of walks, in the traced build.
+std::filesystem::path walk_entry_object(const Exercise& exercise);
+
+/// The files that belong to a submission because it calls functions of earlier
+/// exercises: those that the student wrote. None where the tree has solutions:
+/// the references are in the entry.
+std::vector<std::filesystem::path> own_sources_before(const Exercise& exercise);
+
 /// What is compiled already when a submission begins: prelude.h,
 /// prelude_text.h or prelude_full.h.
 enum class Prelude { lean, text, full };
@@ -42,6 +50,18 @@ std::vector<std::string> compile_arguments(const std::string& source,
                                            const std::string& object,
                                            const std::string& include,
                                            Prelude prelude);
+
+/// Whether a traced file's uses of the table are recorded, or only what changes
+/// by them.
+enum class Tracing { shown, silent };
+
+/// Arguments of the compile step for the recorder of walks: traced build, with
+/// what a debugger needs. `with` is another compiler; empty: that of this
+/// build.
+std::vector<std::string> traced_compile_arguments(const std::string& source,
+                                                  const std::string& object,
+                                                  Tracing tracing,
+                                                  const std::string& with = "");
 
 /// Arguments of the link step: a submission's object, its exercise's entry,
 /// and what else belongs to it, to one shared object.

@@ -149,16 +149,6 @@ bool is_done(const Finished& step) {
     return step.status == 0 && !step.timed_out;
 }
 
-/// What a submission calls of earlier exercises: the references are in its
-/// entry; where there are none, it is what the student wrote for them.
-std::vector<fs::path> own_sources_before(const Exercise& exercise) {
-    std::vector<fs::path> sources;
-    if (has_solutions()) return sources;
-    for (const Exercise& before : exercises_before(exercise))
-        sources.push_back(before.skeleton());
-    return sources;
-}
-
 }  // namespace
 
 Compiled LocalWorkplace::compile(const Exercise& exercise,

@@ -3,7 +3,6 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <sys/resource.h>
-#include <sys/time.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -14,6 +13,7 @@
 #include "course/runner/descriptors.h"
 #include "course/runner/platform.h"
 #include "course/runner/protocol.h"
+#include "course/runner/set_limits.h"
 
 #if COURSE_LINUX
 #include <sys/prctl.h>
@@ -39,27 +39,6 @@ void on_child(int) {
     const char byte = 0;
     [[maybe_unused]] const ssize_t n = ::write(wake_up_pipe, &byte, 1);
     errno = saved;
-}
-
-// A template, since the type of RLIMIT_CPU is not the same everywhere.
-template <class Resource>
-void limit(Resource resource, rlim_t value) {
-    const rlimit both{value, value};
-    if (::setrlimit(resource, &both) != 0) give_up();
-}
-
-void set_limits(const Limits& limits) {
-    const timeval interval{limits.cpu_ms / 1000,
-                           limits.cpu_ms % 1000 * suseconds_t{1000}};
-    const itimerval timer{interval, interval};
-    if (::setitimer(ITIMER_PROF, &timer, nullptr) != 0) give_up();
-    limit(RLIMIT_CPU, static_cast<rlim_t>(limits.cpu_seconds));
-    limit(RLIMIT_FSIZE, static_cast<rlim_t>(limits.output_kib) << 10);
-    limit(RLIMIT_STACK, static_cast<rlim_t>(limits.stack_mib) << 20);
-    limit(RLIMIT_CORE, 0);
-#ifdef RLIMIT_AS
-    limit(RLIMIT_AS, static_cast<rlim_t>(limits.memory_mib) << 20);
-#endif
 }
 
 void close_from(int first) {

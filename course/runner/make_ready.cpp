@@ -7,8 +7,8 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <thread>
 
+#include "course/runner/pool.h"
 #include "course/runner/process.h"
 
 namespace course {
@@ -55,14 +55,18 @@ void make_ready(const std::vector<Exercise>& exercises,
     if (missing > 1)
         fmt::print(stderr, "Building the suites of {} exercises ...\n",
                    missing);
+    make_targets(targets(exercises, kinds));
+}
+
+void make_targets(const std::vector<std::string>& targets) {
+    if (::access(build_root().c_str(), W_OK) != 0) return;
     const Descriptor lock = build_lock();
-    const unsigned jobs = std::max(1u, std::thread::hardware_concurrency());
     Command build;
     build.arguments = {COURSE_CMAKE,         "--build",
                        build_root(),         "--parallel",
-                       std::to_string(jobs), "--target"};
-    for (std::string& target : targets(exercises, kinds))
-        build.arguments.push_back(std::move(target));
+                       std::to_string(core_count()), "--target"};
+    build.arguments.insert(build.arguments.end(), targets.begin(),
+                           targets.end());
     build.environment = plain_environment();
     const Finished built =
         run(std::move(build), std::chrono::hours(2), std::size_t{1} << 20);
@@ -72,8 +76,8 @@ void make_ready(const std::vector<Exercise>& exercises,
         std::fputs(built.output.c_str(), file);
         std::fclose(file);
     }
-    throw SystemError(fmt::format(
-        "the suites do not build; the whole log is in {}", log.string()));
+    throw SystemError(
+        fmt::format("the build fails; the whole log is in {}", log.string()));
 }
 
 }  // namespace course

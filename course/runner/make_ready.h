@@ -2,6 +2,7 @@
 // who build it want a few of them.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "course/runner/exercises.h"
@@ -18,5 +19,8 @@ namespace course {
 /// not build.
 void make_ready(const std::vector<Exercise>& exercises,
                 const std::vector<JudgeKind>& kinds);
+
+/// The same for other targets of the build.
+void make_targets(const std::vector<std::string>& targets);
 
 }  // namespace course

@@ -9,6 +9,10 @@
 
 namespace course {
 
+int core_count() {
+    return static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+}
+
 void for_each_item(int lanes, int items,
                    const std::function<void(int lane, int item)>& work,
                    const std::function<bool()>& stop) {

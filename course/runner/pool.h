@@ -5,6 +5,9 @@
 
 namespace course {
 
+/// How many lanes keep this machine busy; at least 1.
+int core_count();
+
 /// Calls work(lane, item) for each item in 0 <= item < items, on `lanes`
 /// threads; an item begins only after those before it have begun. Returns when
 /// all are done, or the running ones after stop() has become true. An exception

@@ -1,0 +1,328 @@
+// Compiled for the traced table: events are of that build.
+#include "course/player/walk_steps.h"
+
+#include <algorithm>
+#include <charconv>
+#include <map>
+
+#include "course/halfedge/trace.h"
+#include "course/player/recorded_call.h"
+#include "course/runner/codec.h"
+
+namespace course {
+
+namespace {
+
+// ---- what gdb wrote
+
+std::string_view next_field(std::string_view& line, char separator) {
+    const auto end = std::min(line.find(separator), line.size());
+    const std::string_view field = line.substr(0, end);
+    line.remove_prefix(std::min(end + 1, line.size()));
+    return field;
+}
+
+template <class Number>
+Number number_of(std::string_view text) {
+    Number n{};
+    std::from_chars(text.data(), text.data() + text.size(), n);
+    return n;
+}
+
+LineReached line_reached(std::string_view text) {
+    LineReached reached;
+    reached.events = number_of<std::size_t>(next_field(text, '\t'));
+    reached.line = number_of<int>(next_field(text, '\t'));
+    reached.address = number_of<std::uint64_t>(next_field(text, '\t'));
+    reached.function = next_field(text, '\t');
+    while (!text.empty()) {
+        const std::string name(next_field(text, '\t'));
+        reached.changed.emplace_back(name, next_field(text, '\t'));
+    }
+    return reached;
+}
+
+// ---- what the recorder wrote
+
+constexpr int most_rows = 1 << 20;
+
+void require(bool sound) {
+    if (!sound) throw CodecError("a recorded event names what cannot be");
+}
+
+void require_sound(const TraceEvent& event) {
+    require(event.i >= -1 && event.i < most_rows && event.table >= 0 &&
+            event.rows.size() < most_rows);
+    for (const Change& change : event.changes)
+        require(change.i >= 0 && change.i < most_rows && change.field >= 0 &&
+                change.field < 4);
+}
+
+Row row_of(const HalfEdge& h) {
+    return {h.vi, h.fi, h.next, h.opp};
+}
+
+std::vector<Row> rows_of(const std::vector<HalfEdge>& table) {
+    std::vector<Row> rows;
+    for (const HalfEdge& h : table) rows.push_back(row_of(h));
+    return rows;
+}
+
+HalfEdgeTable table_of(const std::vector<Row>& rows) {
+    std::vector<HalfEdge> table;
+    for (const Row& r : rows) table.push_back({r[0], r[1], r[2], r[3]});
+    return HalfEdgeTable(std::move(table));
+}
+
+constexpr Row no_row = {-1, -1, -1, -1};
+
+void apply(const std::vector<Change>& changes, std::vector<Row>& rows) {
+    for (const Change& change : changes) {
+        const auto at = static_cast<std::size_t>(change.i);
+        if (at >= rows.size()) rows.resize(at + 1, no_row);
+        rows[at][static_cast<std::size_t>(change.field)] = change.after;
+    }
+}
+
+// ---- one table to show
+
+/// A function may use several tables: it edits a copy, and reads the original
+/// on. Shown is one: the one that was made or written last.
+class Shown {
+public:
+    /// `table` is number 0; that is not shown when it is never used.
+    Shown(const std::vector<TraceEvent>& events, std::vector<Row> table) {
+        const auto used =
+            std::find_if(events.begin(), events.end(), [](const TraceEvent& e) {
+                return e.kind != TraceEvent::Kind::begin;
+            });
+        tables_[0] = std::move(table);
+        if (used != events.end()) number_ = used->table;
+        for (const TraceEvent& event : events)
+            if (event.table == number_ && number_ > 0 &&
+                event.kind == TraceEvent::Kind::begin)
+                tables_[number_] = rows_of(event.rows);
+        rows_ = tables_[number_];
+    }
+
+    const std::vector<Row>& rows() const { return rows_; }
+
+    /// A table comes into use: steps from what is shown to what it is.
+    std::vector<Step> begin(const TraceEvent& event) {
+        std::vector<Row> rows =
+            event.table == 0 ? tables_[0] : rows_of(event.rows);
+        apply(event.changes, rows);
+        tables_[event.table] = rows;
+        if (event.table < number_) return {};
+        return show(event.table);
+    }
+
+    /// Steps that come before one that is shown, then it.
+    std::vector<Step> step(const TraceStep& traced, const TraceEvent& event) {
+        std::vector<Step> steps;
+        if (traced.write && traced.table != number_) steps = show(traced.table);
+        steps.push_back(step_of(traced, event));
+        Step& step = steps.back();
+        if (traced.table != number_) {
+            step.in_original = differs(step, tables_[traced.table]);
+            return steps;
+        }
+        write(step, rows_);
+        write(step, tables_[number_]);
+        return steps;
+    }
+
+private:
+    static Step step_of(const TraceStep& traced, const TraceEvent& event) {
+        Step step{traced.line, traced.from, traced.to, traced.i};
+        constexpr std::array<const char*, 4> names = {"vi", "fi", "next",
+                                                      "opp"};
+        const auto field = std::find(names.begin(), names.end(), traced.field);
+        if (field != names.end())
+            step.field = static_cast<int>(field - names.begin());
+        step.value = traced.value;
+        if (traced.added) {
+            std::vector<Row> rows(static_cast<std::size_t>(traced.i), no_row);
+            rows.push_back(no_row);
+            apply(event.changes, rows);
+            step.added = rows[static_cast<std::size_t>(traced.i)];
+        } else if (traced.write && step.field >= 0) {
+            step.before = traced.before;
+        }
+        return step;
+    }
+
+    static void write(const Step& step, std::vector<Row>& rows) {
+        const auto at = static_cast<std::size_t>(step.i);
+        if (!step.added && !step.before) return;
+        if (at >= rows.size()) rows.resize(at + 1, no_row);
+        if (step.added)
+            rows[at] = *step.added;
+        else
+            rows[at][static_cast<std::size_t>(step.field)] = step.value;
+    }
+
+    /// Whether what is read is not what the shown table has there.
+    bool differs(const Step& step, const std::vector<Row>& read) const {
+        const auto at = static_cast<std::size_t>(step.i);
+        if (at >= rows_.size()) return true;
+        if (step.field >= 0)
+            return rows_[at][static_cast<std::size_t>(step.field)] !=
+                   step.value;
+        return at >= read.size() || rows_[at] != read[at];
+    }
+
+    /// Steps from the table that is shown to another one.
+    std::vector<Step> show(int number) {
+        const std::vector<Row>& next = tables_[number];
+        std::vector<Step> steps;
+        for (std::size_t k = 0; k < next.size(); ++k)
+            add_differences(static_cast<int>(k), next[k], steps);
+        if (next.size() < rows_.size())
+            steps.emplace_back().cut = static_cast<int>(next.size());
+        number_ = number;
+        rows_ = next;
+        return steps;
+    }
+
+    void add_differences(int i, const Row& next,
+                         std::vector<Step>& steps) const {
+        const auto at = static_cast<std::size_t>(i);
+        if (at >= rows_.size()) {
+            steps.emplace_back().i = i;
+            steps.back().added = next;
+            return;
+        }
+        for (std::size_t field = 0; field < 4; ++field)
+            if (rows_[at][field] != next[field])
+                steps.push_back({0, 0, 0, i, static_cast<int>(field),
+                                 next[field], rows_[at][field]});
+    }
+
+    std::map<int, std::vector<Row>> tables_;
+    int number_ = 0;
+    std::vector<Row> rows_;
+};
+
+// ---- lines and reads, in the order of time
+
+/// The compiler may have several places in one line, as in a for: going on in
+/// a line is nothing new, going back is, if something has changed.
+class Merged {
+public:
+    explicit Merged(std::string function) : function_(std::move(function)) {}
+
+    void reach(const LineReached& line) {
+        const bool same = line_ != nullptr && line.line == line_->line &&
+                          line.function == line_->function;
+        const bool goes_on = same && line.address > line_->address;
+        if (!goes_on && !(same && line.changed.empty())) finish_line();
+        for (const auto& change : line.changed)
+            (steps_.empty() ? first_ : steps_.back().locals).push_back(change);
+        line_ = &line;
+        functions_[line.line] = line.function;
+        if (!goes_on) used_ = false;
+    }
+
+    void add(Step step) {
+        if (step.line == 0 && line_ != nullptr) step.line = line_->line;
+        used_ = true;
+        push(std::move(step));
+    }
+
+    std::vector<Step> steps() && {
+        finish_line();
+        return std::move(steps_);
+    }
+
+private:
+    /// A line that has read nothing is a step of its own.
+    void finish_line() {
+        if (line_ == nullptr || used_) return;
+        Step step;
+        step.line = line_->line;
+        push(std::move(step));
+    }
+
+    void push(Step step) {
+        // A read after a call, in one line, belongs to the caller again.
+        const auto found = functions_.find(step.line);
+        if (found != functions_.end() && found->second != function_)
+            step.function = function_ = found->second;
+        if (steps_.empty()) step.locals = std::exchange(first_, {});
+        steps_.push_back(std::move(step));
+    }
+
+    std::string function_;
+    std::vector<std::pair<std::string, std::string>> first_;
+    std::vector<Step> steps_;
+    std::map<int, std::string> functions_;  // by line
+    const LineReached* line_ = nullptr;
+    bool used_ = true;  // by a step
+};
+
+std::vector<Step> merge(const std::vector<TraceEvent>& events,
+                        const StepsByEvent& traced, Shown shown,
+                        const std::vector<LineReached>& lines, Merged merged) {
+    auto line = lines.begin();
+    for (std::size_t k = 0; k < events.size(); ++k) {
+        for (; line != lines.end() && line->events <= k; ++line)
+            merged.reach(*line);
+        const TraceEvent& event = events[k];
+        if (event.kind == TraceEvent::Kind::begin) {
+            for (Step& step : shown.begin(event)) merged.add(std::move(step));
+            continue;
+        }
+        for (std::size_t s = traced.first[k]; s < traced.first[k + 1]; ++s)
+            for (Step& step : shown.step(traced.steps[s], event))
+                merged.add(std::move(step));
+    }
+    for (; line != lines.end(); ++line) merged.reach(*line);
+    return std::move(merged).steps();
+}
+
+std::size_t reads_of(const std::vector<Step>& steps, std::size_t first) {
+    std::size_t n = 0;
+    for (std::size_t k = first; k < steps.size(); ++k)
+        if (steps[k].i >= 0) ++n;
+    return n;
+}
+
+}  // namespace
+
+std::vector<std::vector<LineReached>> read_lines_reached(
+    std::string_view text) {
+    std::vector<std::vector<LineReached>> walks;
+    while (!text.empty()) {
+        const std::string_view line = next_field(text, '\n');
+        if (line == "walk")
+            walks.emplace_back();
+        else if (!walks.empty())
+            walks.back().push_back(line_reached(line));
+    }
+    return walks;
+}
+
+Walk decode_call(std::string_view bytes, const std::vector<Row>& table,
+                 std::string_view source, const std::string& function,
+                 const std::vector<LineReached>& lines, std::size_t most) {
+    auto call = decode<RecordedCall>(bytes);
+    for (const TraceEvent& event : call.events) require_sound(event);
+    const StepsByEvent traced =
+        steps_by_event(call.events, table_of(table), source);
+    const Shown shown(call.events, table);
+    Walk walk;
+    if (shown.rows() != table) walk.table = shown.rows();
+    walk.steps = merge(call.events, traced, shown, lines, Merged(function));
+    walk.skipped = static_cast<std::size_t>(call.size) - call.events.size();
+    if (walk.steps.size() > most) {
+        walk.skipped += reads_of(walk.steps, most);
+        walk.steps.resize(most);
+    }
+    walk.call = function + call.call;
+    walk.result = std::move(call.result);
+    walk.error = std::move(call.error);
+    return walk;
+}
+
+}  // namespace course

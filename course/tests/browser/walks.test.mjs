@@ -1,0 +1,150 @@
+// The pages of recorded walks: what every page must hold, and that what they
+// show is true.
+import assert from "node:assert/strict";
+import { after, before, describe, test } from "node:test";
+import { FaceList, is_right, oracle } from "./oracle.mjs";
+import * as checks from "./page_checks.mjs";
+import { data_of, size_of, temporary_folder, walk_page } from "./pages.mjs";
+
+const include = (name) => `#include "exercises/01_traversal/${name}.h"\n\n`;
+// Files as students write them, wrong in the ways that the lecture warns of.
+const wrong = {
+    face_sides: include("face_sides") +
+        "int face_sides(const HalfEdgeTable& he, int i) {\n" +
+        "    int start = i, sides = 0;\n    do {\n        ++sides;\n" +
+        "        i = he[he[i].opp].opp;\n        i = he[i].next;\n" +
+        "        if (sides == 3) i = he[i].fi;\n" +
+        "    } while (i != start);\n    return sides;\n}\n",
+    vertex_star: include("vertex_star") +
+        "std::vector<int> vertex_star(const HalfEdgeTable& he, int i) {\n" +
+        "    std::vector<int> star;\n    int start = i;\n    do {\n" +
+        "        int i = he[start].opp;\n        star.push_back(he[i].vi);\n" +
+        "        i = he[i].next;\n    } while (i != start);\n" +
+        "    return star;\n}\n",
+};
+
+let browser;
+const folder = temporary_folder();
+const pages = {};
+const names = [...Object.keys(oracle), "face_sides_file", "vertex_star_file"];
+
+before(async () => {
+    browser = await checks.start_browser();
+    const make = async (name) => {
+        const exercise = name.replace(/_file$/, "");
+        const code = exercise === name ? undefined : wrong[exercise];
+        pages[name] = await walk_page(folder.path, exercise, code);
+    };
+    const todo = [...names];
+    const worker = async () => {
+        while (todo.length) await make(todo.shift());
+    };
+    await Promise.all([worker(), worker()]);
+});
+after(async () => {
+    await browser?.close();
+    folder.remove();
+});
+
+/** What `look` finds on a page. */
+async function found(name, look, options) {
+    const page = await checks.open_page(browser, pages[name], options);
+    try {
+        return await look(page);
+    } finally {
+        await page.context().close();
+    }
+}
+
+test("the walks return what brute force over the faces returns", () => {
+    for (const exercise of Object.keys(oracle)) {
+        const { mesh, walks } = data_of(pages[exercise]);
+        const faces = new FaceList(mesh);
+        assert.deepEqual(faces.faults(), []);
+        assert.ok(walks.length > 1, `${exercise}: ${walks.length} walks`);
+        for (const { call, start, result } of walks)
+            assert.ok(is_right(exercise, faces, start, result),
+                      `${call} returned ${JSON.stringify(result)}`);
+    }
+});
+
+test("a wrong file is shown beside the reference, and as wrong", () => {
+    for (const exercise of Object.keys(wrong)) {
+        const { mesh, sources, walks } = data_of(pages[`${exercise}_file`]);
+        const faces = new FaceList(mesh);
+        assert.equal(sources.length, 2);
+        const own = walks.filter(({ source }) => source === 1);
+        assert.equal(own.length * 2, walks.length);
+        for (const { call, start, result, error, expected } of own) {
+            assert.ok(is_right(exercise, faces, start, expected), call);
+            assert.ok((result === undefined) !== (error === undefined), call);
+        }
+        assert.ok(own.some(({ start, result }) => result === undefined ||
+            !is_right(exercise, faces, start, result)), exercise);
+    }
+});
+
+test("a page is below 200 kB", () => {
+    for (const name of names)
+        assert.ok(size_of(pages[name]) < 200_000,
+                  `${name}: ${size_of(pages[name])} bytes`);
+});
+
+describe("each page", { concurrency: 2 }, () => {
+    for (const name of names) {
+        test(`${name}: nothing is asked for, keys do all`, async () => {
+            assert.deepEqual(await found(name, async (page) => {
+                console.log(`${name}: opened in ` +
+                            `${page.opened_in.toFixed(0)} ms`);
+                return [...await checks.dead_keys(page),
+                        ...await checks.out_of_reach(page),
+                        // A number and Enter do what a click there does.
+                        ...await checks.only_for_the_mouse(page, "svg g, tr"),
+                        ...await checks.looks_at_steps(page, 2, 4),
+                        ...await checks.complaints(page)];
+            }), []);
+        });
+        test(`${name}: forward and back are the same`, async () => {
+            // One page with all its starts.
+            const most = name === "face_sides" ? Infinity : 2;
+            assert.deepEqual(await found(name, (page) =>
+                checks.forward_back(page, most)), []);
+        });
+        // Another theme changes no sizes: each size needs only one of them.
+        checks.sizes.forEach((size, k) =>
+            test(`${name}: legible at ${size.join(" x ")}`, async () => {
+                const theme = checks.themes[k % 2];
+                assert.deepEqual(await found(name, (page) =>
+                    checks.looks_at_steps(page, 6), { size, theme }), []);
+            }));
+    }
+});
+
+test("a number and Enter start the walk there", async () => {
+    const said = await found("face_sides", async (page) => {
+        for (const key of ["1", "2", "Enter", "End"])
+            await page.keyboard.press(key);
+        return page.textContent("#say");
+    });
+    const { walks } = data_of(pages.face_sides);
+    const { result } = walks.find(({ start }) => start === 12);
+    assert.match(said, new RegExp(`returns ${result}`));
+});
+
+test("the last step says what was returned, from each start", async () => {
+    const { walks } = data_of(pages.face_sides);
+    const wrong_ones = await found("face_sides", async (page) => {
+        const bad = [];
+        for (const { start, result } of walks) {
+            await page.evaluate((i) => { location.hash = `i=${i}`; }, start);
+            await page.waitForFunction((i) =>
+                player.state().walk === i, walks.findIndex((walk) =>
+                walk.start === start));
+            await page.keyboard.press("End");
+            const said = await page.textContent("#say");
+            if (!said.includes(`returns ${result}`)) bad.push([start, said]);
+        }
+        return bad;
+    });
+    assert.deepEqual(wrong_ones, []);
+});

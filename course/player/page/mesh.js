@@ -447,7 +447,12 @@ class MeshDrawing {
             const box = this.labels.place(around_box(
                 own, text_width(text, this.font) + 0.4 * this.font,
                 1.3 * this.font));
-            if (box) this.draw_box(box, text, "flag");
+            if (!box) continue;
+            this.draw_box(box, text, "flag");
+            // Below all labels: a flag may stand beside another half-edge.
+            this.label_layer.prepend(svg("path", {
+                class: "leader", "stroke-width": 0.16 * this.font,
+                d: `M${own.x} ${own.y}L${box.x} ${box.y}` }));
         }
     }
 

@@ -112,12 +112,13 @@ std::vector<ExerciseResult> check_many(
     std::vector<Checked> all(exercises.size());
     std::size_t done = 0;
     std::mutex one_at_a_time;
-    for_each_item(core_count(), static_cast<int>(all.size()), [&](int, int item) {
-        const auto k = static_cast<std::size_t>(item);
-        all[k] = check_now(desk, exercises[k]);
-        const std::lock_guard guard(one_at_a_time);
-        each(++done);
-    });
+    for_each_item(core_count(), static_cast<int>(all.size()),
+                  [&](int, int item) {
+                      const auto k = static_cast<std::size_t>(item);
+                      all[k] = check_now(desk, exercises[k]);
+                      const std::lock_guard guard(one_at_a_time);
+                      each(++done);
+                  });
     change_progress(desk, [&](Progress& progress) {
         for (std::size_t k = 0; k < all.size(); ++k)
             note(progress, exercises[k], all[k]);

@@ -137,8 +137,9 @@ CLI::App* add_options(CLI::App& program, Options& options) {
         "recorded and shown");
     live->excludes(command->get_option("--out"))
         ->excludes(command->get_option("--json"));
-    command->add_option("--port", options.port,
-                        "of the live page (default: one that is free)")
+    command
+        ->add_option("--port", options.port,
+                     "of the live page (default: one that is free)")
         ->needs(live)
         ->check(CLI::Range(1, 65535));
     CLI::Option* all = command->add_option(

@@ -120,12 +120,14 @@ std::string large_mesh_page(const std::string& title, const IndexedMesh& mesh,
         json_of(runs_of_sides(mesh.faces), 1), json_of(mesh.faces.corners(), 1),
         json_of(ends_of(mesh.loose_edges), 1), he.size(), sum_of(he),
         recording);
-    return make_page({.title = title,
-                      .styles = {"base.css", "view3d.css"},
-                      .body = "view3d.html",
-                      .scripts = {"svg.js", "stepper.js", "large_table.js",
-                                  "raster.js", "arrows3d.js", "view3d.js"},
-                      .data = data});
+    return make_page(
+        {.title = title,
+         .styles = {"base.css", "parts.css", "view3d.css"},
+         .body = "view3d.html",
+         .scripts = {"svg.js", "table.js", "code.js", "stepper.js", "steps.js",
+                     "say.js", "words.js", "large_table.js", "raster.js",
+                     "arrows3d.js", "view3d.js"},
+         .data = data});
 }
 
 }  // namespace course

@@ -9,14 +9,14 @@ std::string walk_page(const Recording& recording) {
     if (recording.mesh.faces.size() > most_drawn_faces)
         return large_mesh_page(recording.title, recording.mesh,
                                to_json(recording, WithMesh::no));
-    return make_page({.title = recording.title,
-                      .styles = {"base.css", "mesh.css", "walk.css"},
-                      .body = "walk.html",
-                      .scripts = {"svg.js", "layout.js", "labels.js", "mesh.js",
-                                  "table.js", "code.js", "stepper.js",
-                                  "steps.js", "say.js", "compare.js",
-                                  "walk.js"},
-                      .data = to_json(recording)});
+    return make_page(
+        {.title = recording.title,
+         .styles = {"base.css", "mesh.css", "parts.css", "walk.css"},
+         .body = "walk.html",
+         .scripts = {"svg.js", "layout.js", "labels.js", "mesh.js", "table.js",
+                     "code.js", "stepper.js", "steps.js", "say.js", "words.js",
+                     "compare.js", "walk.js"},
+         .data = to_json(recording)});
 }
 
 }  // namespace course

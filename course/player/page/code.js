@@ -1,6 +1,9 @@
 // A source file with a line and an expression lit, and what can be said about
 // its names from the text alone.
 
+const declarations =
+    /[{}();]|\b(?:int|auto|bool|double)\s*&?\s+(\w+)\s*(?=[=;:,)[])/g;
+
 /** The lines of one file: {label, file, first, lines} of the recording. */
 class Source {
     constructor({ label, file, first, lines }) {
@@ -29,6 +32,9 @@ class Source {
     }
 }
 
+/** Of a walk that no program made. */
+const no_source = new Source({ first: 1, lines: [] });
+
 /** Names of variables that hold half-edges: he[X].vi, then A = X, A != X. */
 function half_edge_names(text) {
     const names = new Set();
@@ -46,9 +52,6 @@ function half_edge_names(text) {
     }
     return new Set([...names].filter((name) => !/^\d/.test(name)));
 }
-
-const declarations =
-    /[{}();]|\b(?:int|auto|bool|double)\s*&?\s+(\w+)\s*(?=[=;:,)[])/g;
 
 /**
  * Declarations of a name that an outer scope of the same function has, too:

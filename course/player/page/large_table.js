@@ -55,9 +55,8 @@ class LargeTable {
             throw new Error("the table of this page is not the program's");
     }
 
-    cell(i, field) {
-        if (field === 3) return i ^ 1;
-        return [this.vi, this.fi, this.next][field][i];
+    row(i) {
+        return [this.vi[i], this.fi[i], this.next[i], i ^ 1];
     }
 
     add_edge(from, to, face) {

@@ -21,7 +21,7 @@ class Walk {
     constructor(recording, walk) {
         Object.assign(this, walk);
         this.recording = recording;
-        this.code = recording.code[walk.source];
+        this.code = recording.code[walk.source] || no_source;
         this.count = walk.steps.length + 2;
         this.starts_at_half_edge = recording.starts === "half-edge";
     }
@@ -36,6 +36,11 @@ class Walk {
         return [...found];
     }
 
+    /** The rows before its first step; a copy, which may leave rows out. */
+    first_table() {
+        return (this.table || this.recording.mesh.table).map((r) => [...r]);
+    }
+
     is_last(k) {
         return k === this.count - 1;
     }
@@ -48,7 +53,7 @@ class Walk {
     /** Table, variables, lit rows... of state k. */
     state(k) {
         const state = {
-            table: (this.table || this.recording.mesh.table).map((r) => [...r]),
+            table: this.first_table(),
             variables: new Map(), seen: [], changed: new Set(),
             new_rows: new Set(), flags: {},
             outline: Boolean(this.table) };

@@ -26,7 +26,7 @@ class TablePicture {
     }
 
     /**
-     * Shows the state of a MeshPicture and, in it,
+     * Shows the state of a MeshPicture, whose table may lack rows, and, in it,
      *   field     0 to 3: the cell of row `current` that is lit
      *   value     what this cell shows ("?" for a question)
      *   old       the value before, of a write
@@ -37,7 +37,8 @@ class TablePicture {
         this.body.textContent = "";
         state.table.forEach((row, h) => this.body.append(
             this.row(row, h, state)));
-        const lit = this.body.rows[state.current ?? state.start ?? 0];
+        const lit = this.body.querySelector(
+            `[data-row="${state.current ?? state.start ?? 0}"]`);
         if (lit) scroll_to_middle(this.box, lit);
     }
 
@@ -51,8 +52,10 @@ class TablePicture {
                         this.cell(value, h, f, state)));
     }
 
-    classes(h, { current, next, opp, seen, new_rows, half_edges = [] }) {
+    classes(h, { table, current, next, opp, seen, new_rows,
+                 half_edges = [] }) {
         const roles = new_rows.has(h) ? ["new"] : [];
+        if (h > 0 && !table[h - 1]) roles.push("gap");
         if (seen.includes(h)) roles.push("seen");
         if (half_edges.includes(h)) roles.push("lit");
         if (h === next) roles.push("next");

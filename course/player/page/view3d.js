@@ -1,9 +1,7 @@
 // A large mesh in 3D, and the walks on its table: recorded ones and walks by
 // hand. What stands in page_data is written by large_mesh.cpp.
 
-const field_names = ["vi", "fi", "next", "opp"];
 const [VI, FI, NEXT, OPP] = [0, 1, 2, 3];
-const element = (id) => document.getElementById(id);
 
 /** Points, sides and normals of the mesh; its box has the half diagonal 1 and
     its middle at the origin. */
@@ -60,16 +58,42 @@ class Geometry {
 const table = new LargeTable(page_data.mesh);
 const geometry = new Geometry(table);
 const camera = new Camera();
-const raster = new Raster(element("mesh"), geometry.points, table.corners,
+const raster = new Raster(at_id("mesh"), geometry.points, table.corners,
                           table.starts);
-const arrows = new Arrows(element("arrows"), geometry, raster, camera, pick);
-const recording = page_data.recording || { sources: [], walks: [] };
-let walk = null;   // the one that is shown
-let state = null;  // where it is
+const arrows = new Arrows(at_id("arrows"), geometry, raster, camera, pick);
+const recording = page_data.recording ||
+    { exercise: "", starts: "half-edge", sources: [], walks: [] };
 
 // ---- walks
 
 const exists = (h) => h >= 0 && h < table.size;
+
+/** A walk whose states have the rows of the table that it comes to. */
+class LargeWalk extends Walk {
+    first_table() {
+        const rows = [];
+        for (const h of this.visited())
+            if (exists(h)) rows[h] = table.row(h);
+        return rows;
+    }
+
+    /** Where it is: the half-edge of step k, or of the last one before. */
+    place(k) {
+        if (this.by_hand) return k > 0 ? this.step(k).v : this.start;
+        const step = this.steps.slice(0, k).findLast(({ i }) => exists(i));
+        return step?.i ?? (recording.starts === "half-edge" ? this.start : -1);
+    }
+
+    /** All half-edges that it reads or writes. */
+    rows() {
+        return [...new Set(this.steps.map(({ i }) => i).filter(exists))];
+    }
+}
+
+recording.code = recording.sources.map((source) => new Source(source));
+const walks = recording.walks.map((walk) => new LargeWalk(recording, walk));
+let walk = null;   // the one that is shown
+let state = null;  // of its step
 
 /** The half-edges of the face (or border) that h runs along, from h on; then
     those that leave its vertex, and their opposites; at most 24 of each. */
@@ -91,64 +115,44 @@ function neighbours(h) {
 /** What is shown beside the current half-edge: all of a small walk, so that the
     picture stands still, else what is near. */
 function near_rows() {
-    const is_small = !walk.by_hand && walk.rows.length <= 40;
-    const near = exists(state.at) ? neighbours(state.at) : [];
-    return is_small && walk.rows.length > 0 ? walk.rows : near;
+    const rows = walk.by_hand ? [] : walk.rows();
+    if (rows.length > 0 && rows.length <= 40) return rows;
+    return exists(state.at) ? neighbours(state.at) : [];
 }
 
-/** What is known after step k of a walk; k = number of steps: at its end. */
-function state_at(k) {
-    const at_end = k >= walk.steps.length;
-    const now = { k, at_end, at: walk.start ?? -1, seen: new Set(), line: 0,
-                  locals: new Map(), changed: new Map(),
-                  step: at_end ? null : walk.steps[k] };
-    for (const step of walk.steps.slice(0, k + 1)) {
-        now.line = step.l ?? now.line;
-        for (const [name, value] of Object.entries(step.d || {}))
-            if (value === null) now.locals.delete(name);
-            else now.locals.set(name, value);
-        if (step.i === undefined) continue;
-        now.at = step.i;
-        now.seen.add(step.i);
-        (step.new || []).forEach((v, f) => now.changed.set(4 * step.i + f, v));
-        if (step.w !== undefined) now.changed.set(4 * step.i + step.f, step.v);
-    }
-    if (at_end && walk.end !== undefined) now.at = walk.end;
+function state_of(k) {
+    const now = walk.state(k);
+    now.k = k;
+    now.at = walk.place(k);
+    if (walk.by_hand && walk.is_last(k)) now.current = now.at;
     return now;
-}
-
-function cell(i, f) {
-    return state.changed.get(4 * i + f) ?? (exists(i) ? table.cell(i, f) : -1);
 }
 
 /** The half-edge that the step reads; -1: none. */
 function target() {
-    const { step } = state;
-    const reads = step && step.f >= NEXT && step.w === undefined;
-    return reads && exists(step.v) ? step.v : -1;
+    const read = state.next ?? state.opp ?? -1;
+    return exists(read) ? read : -1;
 }
 
 function choose(chosen, k) {
     walk = chosen;
-    const touched = walk.steps.filter((step) => exists(step.i))
-        .map((step) => step.i);
-    walk.rows = [...new Set(touched)].sort((a, b) => a - b);
-    element("walks").value = recording.walks.indexOf(walk);
-    show_source();
-    stepper.reset(walk.steps.length + 1, k);
+    at_id("walks").value = walks.indexOf(walk);
+    stepper.reset(walk.count, k);
 }
 
 /** A click: the recorded walk from there, or the first of one by hand. */
 function pick(h) {
-    const found = recording.walks.find((one) => one.start === h &&
-        (walk.by_hand || one.source === walk.source));
+    const found = recording.starts === "half-edge" && walks.find((one) =>
+        one.start === h && (walk.by_hand || one.source === walk.source));
     if (found) choose(found, 0);
     else start_by_hand(h);
 }
 
+const by_hand = (start, steps) => new LargeWalk(recording, {
+    by_hand: true, call: `by hand from H${start}`, start, steps });
+
 function start_by_hand(h) {
-    choose({ by_hand: true, call: `by hand from H${h}`, start: h, end: h,
-             steps: [] }, 0);
+    choose(by_hand(h, []), 0);
 }
 
 /** Reads fields one after the other, each of the half-edge read before. */
@@ -156,134 +160,36 @@ function move(...fields) {
     if (!exists(state.at)) return;
     let h = state.at;
     const steps = walk.by_hand ? walk.steps.slice(0, state.k) : [];
+    const start = walk.by_hand ? walk.start : h;
     for (const f of fields) {
-        steps.push({ i: h, f, v: table.cell(h, f) });
-        h = table.cell(h, f);
+        steps.push({ i: h, f, v: table.row(h)[f] });
+        h = table.row(h)[f];
     }
-    const start = walk.by_hand ? walk.start : state.at;
-    choose({ by_hand: true, call: `by hand from H${start}`, start, end: h,
-             steps }, steps.length);
+    choose(by_hand(start, steps), steps.length + 1);
 }
 
-// ---- the sentence
+// ---- words, source, variables, rows
 
-const shown = (value) => value === null ? "nothing" : JSON.stringify(value);
-
-function meaning(f, v) {
-    if (v < 0) return f === FI ? "no face: border" : "";
-    return ["V", "F", "H", "H"][f] + v;
+/** Where a walk by hand is. */
+function say_place() {
+    const { at } = state, reads = walk.steps.length;
+    const [v, f] = table.row(at);
+    const is_back = reads > 0 && at === walk.start;
+    return { main: `H${at} leaves V${v}, ` +
+                 (f < 0 ? "on the border" : `along F${f}`),
+             more: is_back ? `The start again, after ${reads} reads.` : "" };
 }
 
-function step_text({ i, f, v, w, l, new: row }) {
-    if (i === undefined)
-        return [html("i", {}, `line ${l}: `), source_line(l).trim()];
-    if (row) return [html("b", {}, `he[${i}]`), ` is new: ${row.join(", ")}`];
-    if (f === undefined)
-        return [html("b", {}, `he[${i}]`), " is taken as a whole row"];
-    const name = html("b", {}, `he[${i}].${field_names[f]}`);
-    if (w !== undefined)
-        return [name, ` becomes ${v} `, html("i", {}, `(was ${w})`)];
-    return [name, ` is ${v} `, html("i", {}, meaning(f, v))];
-}
-
-function end_text() {
-    if (walk.error) return [walk.error];
-    if (walk.result !== undefined)
-        return [html("i", {}, "returns "), shown(walk.result)];
-    const h = state.at, f = cell(h, FI), moves = walk.steps.length;
-    const back = moves > 0 && h === walk.start
-        ? `, the start again after ${moves} reads` : "";
-    return [html("b", {}, `H${h}`), ` leaves V${cell(h, VI)}, ` +
-        (f < 0 ? "on the border" : `along F${f}`), html("i", {}, back)];
-}
-
-function say() {
-    const skipped = walk.skipped && state.k >= walk.steps.length - 1
-        ? [html("i", {}, `${walk.skipped} reads later: `)] : [];
-    element("say").classList.toggle("wrong", state.at_end && !!walk.error);
-    element("say").replaceChildren(
-        ...skipped, ...(state.at_end ? end_text() : step_text(state.step)));
-}
-
-// ---- source, variables, rows
-
-function source_line(line) {
-    const source = recording.sources[walk.source];
-    return source?.lines[line - source.first] ?? "";
-}
-
-function show_source() {
-    const source = recording.sources[walk.source];
-    element("code").replaceChildren(
-        ...(source?.lines ?? []).map((text) => html("div", {}, text || " ")));
-}
-
-/** Cuts a line at two columns in bytes, counted from 1. */
-function cut(text, [from, to]) {
-    const bytes = new TextEncoder().encode(text), utf8 = new TextDecoder();
-    return [bytes.subarray(0, from - 1), bytes.subarray(from - 1, to - 1),
-            bytes.subarray(to - 1)].map((part) => utf8.decode(part));
-}
-
-function draw_source() {
-    const source = recording.sources[walk.source];
-    if (!source) return;
-    [...element("code").children].forEach((line, n) => {
-        const on = source.first + n === state.line;
-        line.classList.toggle("on", on);
-        line.textContent = source.lines[n] || " ";
-        if (!on) return;
-        element("code").scrollTop =
-            line.offsetTop - element("code").clientHeight / 2;
-        if (!state.step?.c) return;
-        const [before, marked, after] = cut(source.lines[n], state.step.c);
-        line.replaceChildren(before, html("mark", {}, marked), after);
-    });
-}
-
-function draw_locals() {
-    const fresh = state.step?.d || {};
-    element("locals").replaceChildren(...[...state.locals].map(
-        ([name, value]) => html("span", { class: name in fresh ? "new" : "" },
-                                `${name} = ${shown(value)}`)));
-}
-
-/** Rows of the walk, or near to it by hand: as many as there is room for,
-    round the current one. */
-function rows_shown() {
-    const rows = [...new Set([...walk.rows, ...near_rows()])]
-        .sort((a, b) => a - b);
-    const side = element("side"), line = 1.45 * text_size();
-    const room = Math.max(3, Math.floor(
-        side.clientHeight * (recording.sources[walk.source] ? 0.46 : 1) / line)
-        - 1);
-    const first = rows.findIndex((h) => h >= state.at);
-    const begin = Math.max(0, Math.min(first - (room >> 1),
-                                       rows.length - room));
-    return rows.slice(begin, begin + room);
-}
-
-function draw_row(h, before) {
-    const { step } = state;
-    const kinds = [h === state.at ? "cur" : "", state.seen.has(h) ? "seen" : "",
-                   h === target() ? field_names[step.f] : "",
-                   before !== undefined && before !== h - 1 ? "gap" : ""];
-    const cells = field_names.map((_, f) => {
-        const hit = step && step.i === h && step.f === f;
-        return html("td", hit ? { class: "hit" } : {}, String(cell(h, f)));
-    });
-    const head = html("th", { scope: "row" }, `H${h}`);
-    head.onclick = () => pick(h);
-    return html("tr", { class: kinds.join(" ") }, head, ...cells);
-}
-
-function draw_rows() {
-    const heads = ["", ...field_names].map((name) =>
-        html("th", name ? { scope: "col" } : {}, name));
-    const rows = rows_shown();
-    element("rows").replaceChildren(
-        html("thead", {}, html("tr", {}, ...heads)),
-        html("tbody", {}, ...rows.map((h, n) => draw_row(h, rows[n - 1]))));
+function draw_texts() {
+    const { k } = state;
+    show_words(walk.by_hand && walk.is_last(k) ? say_place()
+                                               : say_state(walk, k, state));
+    show_variables(state, walk.step(k), k);
+    if (walk.code.lines.length)
+        code.show(walk.code, state.line, state.columns);
+    else at_id("code").replaceChildren();
+    for (const h of near_rows()) state.table[h] ??= table.row(h);
+    rows.show(state);
 }
 
 // ---- the picture
@@ -295,8 +201,8 @@ function half_edges_shown() {
         if (exists(h) && !kinds.has(h)) kinds.set(h, kind);
     };
     add(state.at, "cur");
-    if (target() >= 0) add(target(), field_names[state.step.f]);
-    for (const h of [...state.seen].slice(-200)) add(h, "seen");
+    add(target(), state.next === undefined ? "opp" : "next");
+    for (const h of state.seen.slice(-200)) add(h, "seen");
     for (const h of near_rows()) add(h, "near");
     return [...kinds].map(([h, kind]) => ({ h, kind }));
 }
@@ -304,15 +210,15 @@ function half_edges_shown() {
 /** Labels of vertices and faces: what the step reads, then the ends of the
     current half-edge and its face. */
 function spots_shown() {
-    const { at, step } = state;
+    const { at, vertices = [], faces = [] } = state;
     if (!exists(at)) return [];
     const spots = [table.vi[at], table.vi[at ^ 1]].map((v) => ({
         text: `V${v}`, point: geometry.point(v),
-        kind: step?.f === VI && step.v === v ? "vertex hit" : "vertex" }));
+        kind: vertices.includes(v) ? "vertex hit" : "vertex" }));
     const f = table.fi[at];
     if (f >= 0)
         spots.push({ text: `F${f}`, point: geometry.centre(f),
-                     kind: step?.f === FI ? "face hit" : "face" });
+                     kind: faces.includes(f) ? "face hit" : "face" });
     return spots;
 }
 
@@ -324,7 +230,7 @@ function mark_faces() {
     };
     raster.marks.fill(marked.none);
     for (const h of state.seen) mark(h, marked.walked);
-    mark(state.at, state.step?.f === FI ? marked.read : marked.current);
+    mark(state.at, state.faces ? marked.read : marked.current);
 }
 
 function use_colours() {
@@ -356,7 +262,7 @@ function ask_frame(moving = false) {
 }
 
 function draw_picture() {
-    const { clientWidth: w, clientHeight: h } = element("stage");
+    const { clientWidth: w, clientHeight: h } = at_id("stage");
     const pixels = Math.min(devicePixelRatio, Math.sqrt(1.5e6 / (w * h)));
     const coarse = is_moving && cost > 40 ? 0.5 : 1;
     camera.resize(w, h);
@@ -391,8 +297,9 @@ function view_of(half_edges) {
 function view_of_step() {
     if (!exists(state.at)) return camera.view;
     const near = view_of(neighbours(state.at));
-    if (walk.rows.length === 0 || walk.rows.length > 200) return near;
-    const all = view_of([...walk.rows, walk.end ?? walk.rows[0]]);
+    const rows = walk.rows();
+    if (rows.length === 0 || rows.length > 200) return near;
+    const all = view_of([...rows, walk.place(walk.count - 1)]);
     return all.distance < 3 * near.distance ? all : near;
 }
 
@@ -521,67 +428,67 @@ const own_keys = {
     k: { text: "turn", run: () => turn(0, -0.15) },
     ">": { text: "faster", run: () => stepper.change_speed(1.4) },
     "<": { text: "slower", run: () => stepper.change_speed(1 / 1.4) },
-    g: { text: "go to a half-edge", run: () => element("go").select() },
+    g: { text: "go to a half-edge", run: () => at_id("go").select() },
 };
 
 // ---- the page
 
 function draw(k) {
-    state = state_at(k);
-    draw_source();
-    draw_locals();
-    draw_rows();
-    say();
+    state = state_of(k);
+    draw_texts();
     mark_faces();
     if (follows) glide(view_of_step());
     else ask_frame();
     const place = walk.by_hand ? { half_edge: walk.start }
-                               : { walk: recording.walks.indexOf(walk) };
+                               : { walk: walks.indexOf(walk) };
     write_link({ ...place, step: k });
 }
 
 function go_to_half_edge() {
-    const h = Number(element("go").value);
+    const h = Number(at_id("go").value);
     if (exists(h)) pick(h);
-    else element("say").textContent =
-        `There is no H${h}: the half-edges are 0 to ${table.size - 1}.`;
-    element("go").blur();
+    else show_words({ main: `There is no H${h}.`,
+                      more: `The half-edges are 0 to ${table.size - 1}.` });
+    at_id("go").blur();
 }
 
 function make_header() {
     const number = (n) => n.toLocaleString("en").replaceAll(",", "\u2009");
-    element("title").textContent = document.title;
-    element("counts").textContent = `${number(table.first.length)} faces`;
-    const by_hand = html("option", { value: -1 }, "by hand");
-    element("walks").append(by_hand, ...recording.walks.map((one, n) =>
+    at_id("title").textContent = document.title;
+    at_id("counts").textContent = `${number(table.first.length)} faces`;
+    const hand = html("option", { value: -1 }, "by hand");
+    at_id("walks").append(hand, ...walks.map((one, n) =>
         html("option", { value: n }, recording.sources.length > 1
             ? `${one.call}, ${recording.sources[one.source].label}`
             : one.call)));
-    element("walks").hidden = recording.walks.length === 0;
-    element("walks").onchange = () => {
-        const chosen = recording.walks[element("walks").value];
+    at_id("walks").hidden = walks.length === 0;
+    at_id("walks").onchange = () => {
+        const chosen = walks[at_id("walks").value];
         if (chosen) choose(chosen, 0);
         else start_by_hand(Math.max(0, state.at));
     };
-    element("go").onchange = go_to_half_edge;
-    element("go").max = table.size - 1;
+    at_id("go").onchange = go_to_half_edge;
+    at_id("go").max = table.size - 1;
 }
 
 function start_at(link) {
-    const chosen = recording.walks[link.walk ?? (link.half_edge ? -1 : 0)];
+    const chosen = walks[link.walk ?? (link.half_edge ? -1 : 0)];
     const h = Number(link.half_edge ?? 0);
     if (chosen) choose(chosen, Number(link.step ?? 0));
     else start_by_hand(exists(h) ? h : 0);
     if (!chosen && !link.half_edge) show_all();
 }
 
-const stepper = new Stepper(element("transport"), { draw, keys: own_keys });
+const code = new CodePicture(at_id("code"));
+const rows = new TablePicture(at_id("rows"));
+rows.on_pick = pick;
+const stepper = new Stepper(at_id("transport"), { draw, keys: own_keys });
 use_colours();
 new MutationObserver(() => {
     use_colours();
     ask_frame();
 }).observe(document.documentElement, { attributeFilter: ["data-theme"] });
-new ResizeObserver(() => ask_frame()).observe(element("stage"));
-listen_to_pointers(element("stage"));
+new ResizeObserver(() => ask_frame()).observe(at_id("stage"));
+listen_to_pointers(at_id("stage"));
 make_header();
 start_at(read_link());

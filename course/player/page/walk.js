@@ -1,14 +1,8 @@
 // The page of recorded walks: mesh, table, source and variables of a step, two
 // walks side by side, and the questions to the room. Scripts before it, in
 // this order: svg.js layout.js labels.js mesh.js table.js code.js stepper.js
-// steps.js say.js compare.js; styles: base.css mesh.css walk.css; body:
-// walk.html.
-
-const at_id = (id) => document.getElementById(id);
-
-// Of the large sentence and of what it means, in --u's: the first that fit.
-const say_sizes = [[3.6, 2.6], [3.6, 1.9], [2.9, 1.9], [2.5, 1.9], [2.2, 1.9],
-                   [1.9, 1.9], [1.7, 1.7]];
+// steps.js say.js words.js compare.js; styles: base.css mesh.css parts.css
+// walk.css; body: walk.html.
 
 /** Mesh and source of one walk. */
 class Pane {
@@ -262,9 +256,9 @@ class WalkPage {
         if (this.room.question) words = this.put_question(k, state);
         if (this.room.verdict) words.more = this.say_verdict(state);
         if (this.typed) words.more = `H${this.typed} … Enter`;
-        this.say(words);
+        show_words(words);
         // The variables first: how much room they leave decides the rest.
-        this.show_variables(state, this.walk.step(k), k);
+        show_variables(state, this.walk.step(k), k);
         this.panes[0].show(this.walk, state);
         this.table.show(state);
     }
@@ -287,34 +281,9 @@ class WalkPage {
         return `✗ The room said H${h}; it is H${this.walk.step(k).v}.`;
     }
 
-    say({ main, more }) {
-        at_id("main").textContent = main;
-        at_id("more").textContent = more;
-        const box = at_id("say");
-        for (const [large, small] of say_sizes) {
-            at_id("main").style.fontSize = `calc(${large} * var(--u))`;
-            at_id("more").style.fontSize = `calc(${small} * var(--u))`;
-            if (box.scrollHeight <= box.clientHeight) break;
-        }
-    }
-
     show_score() {
         const { right, asked } = this.room;
         at_id("score").textContent = asked ? `room: ${right} of ${asked}` : "";
-    }
-
-    show_variables({ variables }, step, k) {
-        const hidden = new Set();
-        for (const { name, line } of variables.values())
-            if (line) hidden.add(name);
-        const chips = [...variables.values()].map((variable) => {
-            const { name, value, line } = variable;
-            const which = line ? "inner " : hidden.has(name) ? "outer " : "";
-            const fresh = variable.step === step && k > 0;
-            return html("span", { class: fresh ? "chip fresh" : "chip" },
-                        `${which}${name} = `, html("b", {}, value_text(value)));
-        });
-        at_id("variables").replaceChildren(...chips);
     }
 
     draw_comparison(k) {
@@ -326,7 +295,7 @@ class WalkPage {
                 .sources[walk.source].label + ": " +
                 say_state(walk, own, state).main;
         });
-        this.say({ main: this.comparison.say(k), more: "" });
+        show_words({ main: this.comparison.say(k), more: "" });
     }
 }
 

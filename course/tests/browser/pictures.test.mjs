@@ -38,7 +38,7 @@ async function found(name, look, options) {
 
 test("there are pictures", () => assert.ok(pages.length > 1, pages.join()));
 
-describe("each picture", { concurrency: 2 }, () => {
+describe("each picture", { concurrency: 4 }, () => {
     for (const name of pages) {
         test(`${name}: nothing is asked for, keys do all`, async () => {
             assert.deepEqual(await found(name, async (page, has_steps) => {

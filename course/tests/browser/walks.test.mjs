@@ -90,7 +90,7 @@ test("a page is below 200 kB", () => {
                   `${name}: ${size_of(pages[name])} bytes`);
 });
 
-describe("each page", { concurrency: 2 }, () => {
+describe("each page", { concurrency: 4 }, () => {
     for (const name of names) {
         test(`${name}: nothing is asked for, keys do all`, async () => {
             assert.deepEqual(await found(name, async (page) => {

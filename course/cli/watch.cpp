@@ -189,6 +189,8 @@ private:
                 return show(Mode::exercise);
             case 'l':
                 return open_list();
+            case 'r':
+                return replay();
             case 'c':
                 return begin_all();
             case 'x':
@@ -269,6 +271,17 @@ private:
             hints_ = 0;
             if (kept) note_ = "Your file is now " + kept->string();
         });
+    }
+
+    /// The replay is another command's: it takes the terminal until it ends.
+    void replay() {
+        const std::string program = build_root() / "course" / "lab";
+        const int code =
+            terminal_.run(fmt::format("'{}' --work \"$LAB_FILE\" demo {}",
+                                      program, exercise().name),
+                          desk_.root);
+        if (code != 0)
+            note_ = fmt::format("No replay of {} ({}).", exercise().name, code);
     }
 
     void open_editor() {

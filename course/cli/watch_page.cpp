@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t two_columns_from = 140;
 
 constexpr const char* keys =
-    " n next  h hint  l list  c check all  x reset  o open  q quit";
+    " n next  h hint  l list  r replay  c check all  x reset  o open  q quit";
 
 std::string_view state_of(const ExerciseView& view) {
     if (view.is_building) return "building the suite ...";

@@ -74,7 +74,7 @@ Assignment read_assignment(const std::filesystem::path& file,
 
 Assignment default_assignment(const std::vector<std::string>& known) {
     Assignment assignment;
-    assignment.name = "Half-edge exercises";
+    assignment.name = "All exercises";
     for (const std::string& exercise : known)
         assignment.exercises.push_back({exercise, 1, false});
     return assignment;

@@ -1,5 +1,6 @@
 // lab demo: walks on the half-edge table as pages.
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <cstdio>
 #include <cstdlib>
@@ -16,6 +17,7 @@
 #include "course/mesh/off.h"
 #include "course/player/record.h"
 #include "course/player/walk_page.h"
+#include "course/runner/process.h"
 
 namespace course {
 
@@ -28,6 +30,7 @@ struct Options {
     fs::path file, mesh;
     std::vector<int> starts;
     fs::path out, json, all;
+    bool open = false;
     bool live = false;
     int port = 0;
 };
@@ -67,6 +70,20 @@ RecordOptions record_options(const Desk& desk, const Exercise& exercise,
     return recorded;
 }
 
+/// Where there is a screen, and a program that opens pages on it.
+void open_page(const fs::path& page) {
+    Command command;
+    command.arguments = {"sh", "-c",
+                         "[ \"$(uname)\" != Darwin ] || exec open \"$0\"; "
+                         "[ -n \"$DISPLAY$WAYLAND_DISPLAY\" ] || exit 1; "
+                         "if command -v wslview; then exec wslview \"$0\"; fi; "
+                         "exec xdg-open \"$0\"",
+                         fs::absolute(page).string()};
+    for (char** variable = environ; *variable != nullptr; ++variable)
+        command.environment.emplace_back(*variable);
+    Process(command).wait();
+}
+
 void write(const Options& options, const Recording& recording) {
     if (!options.json.empty()) {
         replace_text(options.json, to_json(recording));
@@ -80,6 +97,7 @@ void write(const Options& options, const Recording& recording) {
     fmt::print("{} {} in {}: open it in a browser.\n", recording.walks.size(),
                recording.walks.size() == 1 ? "walk is" : "walks are",
                page.string());
+    if (options.open) open_page(page);
 }
 
 int demo_one(const Exercise& exercise, const RecordOptions& recorded,
@@ -131,12 +149,13 @@ CLI::App* add_options(CLI::App& program, Options& options) {
     command->add_option("--json", options.json,
                         "the recording itself, for other programs; then no "
                         "page, unless --out asks for one");
+    command->add_flag("--open", options.open, "open the page in a browser");
     CLI::Option* live = command->add_flag(
         "--live", options.live,
         "a page on this machine that follows your file: each save is "
         "recorded and shown");
-    live->excludes(command->get_option("--out"))
-        ->excludes(command->get_option("--json"));
+    for (const char* other : {"--out", "--json", "--open"})
+        live->excludes(command->get_option(other));
     command
         ->add_option("--port", options.port,
                      "of the live page (default: one that is free)")

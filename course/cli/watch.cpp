@@ -16,6 +16,7 @@
 #include "course/cli/rechecker.h"
 #include "course/cli/terminal.h"
 #include "course/cli/watch_page.h"
+#include "course/player/record.h"
 #include "course/runner/temporary_folder.h"
 
 namespace course {
@@ -273,15 +274,24 @@ private:
         });
     }
 
-    /// The replay is another command's: it takes the terminal until it ends.
+    /// Another command makes the replay, and has the terminal until it ends.
     void replay() {
-        const std::string program = build_root() / "course" / "lab";
-        const int code =
-            terminal_.run(fmt::format("'{}' --work \"$LAB_FILE\" demo {}",
-                                      program, exercise().name),
-                          desk_.root);
-        if (code != 0)
-            note_ = fmt::format("No replay of {} ({}).", exercise().name, code);
+        if (!can_be_shown(exercise())) {
+            note_ = "No replay: it works without a half-edge table.";
+            return;
+        }
+        std::filesystem::create_directories(desk_.memory());
+        const std::string& name = exercise().name;
+        const int code = terminal_.run(
+            fmt::format("'{}' --work \"$LAB_FILE\" demo {} --open "
+                        "--file \"$LAB_FILE\"/exercises/{}/{}.cpp "
+                        "--out \"$LAB_FILE\"/.lab/{}.html",
+                        (build_root() / "course" / "lab").string(), name,
+                        exercise().topic, name, name),
+            desk_.root);
+        note_ = code == 0
+                    ? fmt::format("Its replay is .lab/{}.html", name)
+                    : fmt::format("No replay: lab demo {} says why", name);
     }
 
     void open_editor() {

@@ -24,7 +24,9 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t most_steps = 400;            // of a walk
 constexpr std::size_t most_steps_together = 1400;  // of a recording
-constexpr std::size_t least_steps = 40;            // of a walk that is cut
+constexpr std::size_t least_steps = 40;            // of a walk that is cut;
+                                                   // less where steps are large
+constexpr std::size_t most_bytes = 110'000;        // of a recording as JSON
 
 /// One file, compiled, and what it is called.
 struct Submission {
@@ -300,7 +302,13 @@ Recording record(const Exercise& exercise, const RecordOptions& options) {
     require_can_be_shown(exercise);
     Recording recording = Session(exercise, options).record();
     add_expectations(recording);
-    shorten(recording, most_steps_together, least_steps);
+    // A page of all starts is to be sent by mail, and opened on a telephone.
+    std::size_t most = most_steps_together, least = least_steps;
+    do {
+        shorten(recording, most, least);
+        most = most / 4 * 3;
+        least = least / 4 * 3;
+    } while (least > 1 && to_json(recording).size() > most_bytes);
     return recording;
 }
 

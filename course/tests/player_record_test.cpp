@@ -371,15 +371,15 @@ TEST_CASE("an exercise without a table says which have one") {
         CHECK(contains(error.what(), "flip_edge"));
     }
     RecordOptions options;
-    options.start = 16;
-    CHECK_THROWS_AS(record(exercise_named("face_sides"), options), CannotShow);
+    options.starts = {16};
+    CHECK_THROWS_AS(recorded_with("face_sides", options), CannotShow);
 }
 
 TEST_CASE("a mesh of one's own is walked, from vertices where it is asked") {
     RecordOptions options;
     options.locals = false;
     options.mesh = zoo::cube();
-    const Recording recording = record(exercise_named("outgoing"), options);
+    const Recording recording = recorded_with("outgoing", options);
     CHECK(recording.start_kind == "vertex");
     CHECK(recording.mesh_name == "cube");
     REQUIRE(recording.walks.size() == 8);

@@ -13,7 +13,7 @@ export function temporary_folder() {
 }
 
 /** Runs `lab demo` with these arguments. */
-export async function demo(...arguments_) {
+async function demo(...arguments_) {
     await promisify(execFile)(process.env.LAB, ["demo", ...arguments_],
                               { timeout: 120_000 });
 }

@@ -23,7 +23,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t most_steps = 400;            // of a walk
-constexpr std::size_t most_steps_together = 1400;  // of a recording
+constexpr std::size_t most_steps_together = 2400;  // of a recording
 constexpr std::size_t least_steps = 40;            // of a walk that is cut;
                                                    // less where steps are large
 constexpr std::size_t most_bytes = 110'000;        // of a recording as JSON

@@ -22,78 +22,6 @@ bool is_vertex(const IndexedMesh& mesh, int v) {
     return v >= 0 && v < mesh.vertex_count();
 }
 
-// ---- is there a defect at all: linear, and the same whatever comes
-
-/// Sides by the vertex that they leave. A mesh is sound when none comes twice.
-class Sides {
-public:
-    explicit Sides(const IndexedMesh& mesh) : last_(mesh.positions.size(), -1) {
-        sides_.reserve(mesh.faces.corners().size() +
-                       2 * mesh.loose_edges.size());
-    }
-
-    void add(int from, int to) {
-        int& last = last_[index(from)];
-        sides_.push_back({to, last});
-        last = static_cast<int>(sides_.size()) - 1;
-    }
-
-    bool each_once() const {
-        std::vector<int> reached_from(last_.size(), -1);
-        for (int v = 0; index(v) < last_.size(); ++v)
-            for (int s = last_[index(v)]; s != -1;
-                 s = sides_[index(s)].before) {
-                int& from = reached_from[index(sides_[index(s)].to)];
-                if (from == v) return false;
-                from = v;
-            }
-        return true;
-    }
-
-private:
-    struct Side {
-        int to;
-        int before;  // the side added before it that leaves the same vertex
-    };
-    std::vector<Side> sides_;
-    std::vector<int> last_;
-};
-
-/// `last_face` holds, for each vertex, the last face that came by.
-bool is_sound_face(FaceList::Face corners, int f, std::vector<int>& last_face) {
-    for (const int v : corners) {
-        if (v < 0 || index(v) >= last_face.size()) return false;
-        if (last_face[index(v)] == f) return false;
-        last_face[index(v)] = f;
-    }
-    return corners.size() >= 3;
-}
-
-bool is_sound_edge(const IndexedMesh& mesh, const std::array<int, 2>& edge) {
-    return is_vertex(mesh, edge[0]) && is_vertex(mesh, edge[1]) &&
-           edge[0] != edge[1];
-}
-
-bool is_sound(const IndexedMesh& mesh) {
-    std::vector<int> last_face(mesh.positions.size(), -1);
-    Sides sides(mesh);
-    for (int f = 0; f < mesh.faces.size(); ++f) {
-        const FaceList::Face corners = mesh.faces[f];
-        if (!is_sound_face(corners, f, last_face)) return false;
-        int from = corners.back();
-        for (const int to : corners) {
-            sides.add(from, to);
-            from = to;
-        }
-    }
-    for (const auto& edge : mesh.loose_edges) {
-        if (!is_sound_edge(mesh, edge)) return false;
-        sides.add(edge[0], edge[1]);  // both ways: an edge of a face, in
-        sides.add(edge[1], edge[0]);  // whatever sense, must not be there
-    }
-    return sides.each_once();
-}
-
 // ---- which defects: only when there are any, so that sorting is no loss
 
 /// Adds the defects of face f on its own; true when there are none.
@@ -350,62 +278,120 @@ std::string lines_of(const std::vector<Defect>& defects) {
 
 // ---- the table itself
 
+bool has_distinct_corners(FaceList::Face corners) {
+    constexpr std::size_t few = 16;
+    if (corners.size() > few) {
+        std::vector<int> sorted(corners.begin(), corners.end());
+        std::sort(sorted.begin(), sorted.end());
+        return std::adjacent_find(sorted.begin(), sorted.end()) == sorted.end();
+    }
+    for (std::size_t k = 1; k < corners.size(); ++k)
+        for (std::size_t j = 0; j < k; ++j)
+            if (corners[j] == corners[k]) return false;
+    return corners.size() >= 3;
+}
+
 /// Opposite half-edges are made together, as rows 2e and 2e+1, the second one
-/// as a border half-edge. Until a face takes it, it waits at the smaller end of
-/// its edge, in a list that goes through its `next`, which is free so long.
+/// as a border half-edge until a face takes it. Edge e is found again in a list
+/// at one of its ends, the one with fewer sides: so the lists stay short, even
+/// round a hub. Stops at the first defect.
 class Builder {
 public:
-    explicit Builder(const IndexedMesh& mesh)
-        : waiting_(mesh.positions.size(), -1) {
+    explicit Builder(const IndexedMesh& mesh) : ends_(mesh.positions.size()) {
         // An upper bound; memory that is never touched costs nothing.
-        rows_.reserve(2 *
-                      (mesh.faces.corners().size() + mesh.loose_edges.size()));
-        for (int f = 0; f < mesh.faces.size(); ++f) add_face(mesh.faces[f], f);
-        for (const auto& edge : mesh.loose_edges)
-            add_edge(edge[0], edge[1], -1);
-        link_borders();
+        const std::size_t most =
+            mesh.faces.corners().size() + mesh.loose_edges.size();
+        rows_.reserve(2 * most);
+        edges_.reserve(most);
+        is_sound_ = count_sides(mesh) && add_faces(mesh.faces) &&
+                    add_loose_edges(mesh.loose_edges);
+        if (is_sound_ && rows_.size() != mesh.faces.corners().size())
+            link_borders();
     }
 
+    bool is_sound() const { return is_sound_; }
     HalfEdgeTable table() && { return HalfEdgeTable(std::move(rows_)); }
 
 private:
+    struct End {
+        int last = -1;  // edge of its list
+        int sides = 0;  // that touch the vertex
+    };
+    struct Edge {
+        int other;   // end, not the one whose list it is in
+        int before;  // edge before it in the list
+    };
+
     HalfEdge& row(int i) { return rows_[index(i)]; }
 
-    int add_edge(int from, int to, int face) {
+    /// False when a side ends at no vertex.
+    bool count_sides(const IndexedMesh& mesh) {
+        const auto count = [&](int v) {
+            if (!is_vertex(mesh, v)) return false;
+            ++ends_[index(v)].sides;
+            return true;
+        };
+        const std::vector<int>& corners = mesh.faces.corners();
+        const auto& loose = mesh.loose_edges;
+        return std::all_of(corners.begin(), corners.end(), count) &&
+               std::all_of(loose.begin(), loose.end(), [&](const auto& edge) {
+                   return count(edge[0]) && count(edge[1]);
+               });
+    }
+
+    bool add_faces(const FaceList& faces) {
+        for (int f = 0; f < faces.size(); ++f) {
+            if (!has_distinct_corners(faces[f]) || !add_face(faces[f], f))
+                return false;
+        }
+        return true;
+    }
+
+    /// Whether the edge is in a list at a, not at b.
+    bool is_list_at(int a, int b) const {
+        const int more = ends_[index(a)].sides - ends_[index(b)].sides;
+        return more != 0 ? more < 0 : a < b;
+    }
+
+    bool add_loose_edges(const std::vector<std::array<int, 2>>& edges) {
+        // A new edge has an even half-edge.
+        return std::all_of(edges.begin(), edges.end(), [&](const auto& edge) {
+            return edge[0] != edge[1] && side(edge[0], edge[1], -1) % 2 == 0;
+        });
+    }
+
+    /// The half-edge from `from` to `to`, now along `face`; -1 if there was one
+    /// along a face already.
+    int side(int from, int to, int face) {
+        const bool at_from = is_list_at(from, to);
+        int& last = ends_[index(at_from ? from : to)].last;
+        const int other = at_from ? to : from;
+        for (int e = last; e != -1; e = edges_[index(e)].before) {
+            if (edges_[index(e)].other != other) continue;
+            HalfEdge& waiting = row(2 * e + 1);
+            if (waiting.vi != from || waiting.fi != -1) return -1;
+            waiting.fi = face;
+            return 2 * e + 1;
+        }
         const int i = static_cast<int>(rows_.size());
+        edges_.push_back({other, last});
+        last = i / 2;
         rows_.push_back({from, face, -1, i + 1});
         rows_.push_back({to, -1, -1, i});
         return i;
     }
 
-    int side(int from, int to, int face) {
-        int& first = waiting_[index(std::min(from, to))];
-        for (int* link = &first; *link != -1; link = &row(*link).next) {
-            const int i = *link;
-            if (row(i).vi != from || row(i - 1).vi != to) continue;
-            *link = row(i).next;
-            row(i).fi = face;
-            return i;
-        }
-        const int i = add_edge(from, to, face);
-        row(i + 1).next = first;
-        first = i + 1;
-        return i;
-    }
-
-    void add_face(FaceList::Face corners, int face) {
-        int first = -1;
-        int last = -1;
-        for (std::size_t k = 0; k < corners.size(); ++k) {
+    bool add_face(FaceList::Face corners, int face) {
+        const int first = side(corners[0], corners[1], face);
+        int last = first;
+        for (std::size_t k = 1; k < corners.size() && last != -1; ++k) {
             const int to = corners[k + 1 < corners.size() ? k + 1 : 0];
             const int i = side(corners[k], to, face);
-            if (last == -1)
-                first = i;
-            else
-                row(last).next = i;
+            row(last).next = i;
             last = i;
         }
-        row(last).next = first;
+        if (last != -1) row(last).next = first;
+        return last != -1;
     }
 
     /// From a border half-edge round its vertex, over the faces of its fan, to
@@ -419,13 +405,13 @@ private:
     /// Each fan is closed by itself first; a later fan of the same vertex, or a
     /// loose edge, which is a fan without faces, is spliced into the first.
     void link_borders() {
-        std::vector<int>& entry = waiting_;  // a border half-edge to the vertex
-        std::fill(entry.begin(), entry.end(), -1);
+        // Each vertex's border half-edge that comes in.
+        for (End& end : ends_) end.last = -1;
         for (int i = 0; index(i) < rows_.size(); ++i) {
             if (row(i).fi != -1) continue;
             const int j = other_end_of_fan(i);
             row(j).next = i;
-            int& before = entry[index(row(i).vi)];
+            int& before = ends_[index(row(i).vi)].last;
             if (before == -1)
                 before = j;
             else
@@ -434,10 +420,18 @@ private:
     }
 
     std::vector<HalfEdge> rows_;
-    std::vector<int> waiting_;
+    std::vector<Edge> edges_;
+    std::vector<End> ends_;
+    bool is_sound_ = false;
 };
 
 // ---- fans
+
+bool is_sound_face(const IndexedMesh& mesh, FaceList::Face corners) {
+    return has_distinct_corners(corners) &&
+           std::all_of(corners.begin(), corners.end(),
+                       [&](int v) { return is_vertex(mesh, v); });
+}
 
 /// Corners of a mesh by vertex, in groups that share an edge at the vertex.
 class Fans {
@@ -574,17 +568,16 @@ void require_countable(std::size_t vertices, std::size_t faces,
 
 std::vector<Defect> defects(const IndexedMesh& mesh) {
     require_countable(mesh);
-    if (is_sound(mesh)) return {};
+    if (Builder(mesh).is_sound()) return {};
     return report(mesh);
 }
 
 std::vector<int> bow_tie_vertices(const IndexedMesh& mesh) {
     require_countable(mesh);
-    std::vector<int> last_face(mesh.positions.size(), -1);
     Fans fans(mesh.positions.size());
     for (int f = 0; f < mesh.faces.size(); ++f) {
         const FaceList::Face corners = mesh.faces[f];
-        if (!is_sound_face(corners, f, last_face)) continue;
+        if (!is_sound_face(mesh, corners)) continue;
         const std::size_t n = corners.size();
         for (std::size_t k = 0; k < n; ++k)
             fans.add(corners[k], corners[(k + n - 1) % n],
@@ -594,9 +587,10 @@ std::vector<int> bow_tie_vertices(const IndexedMesh& mesh) {
 }
 
 HalfEdgeTable build(const IndexedMesh& mesh) {
-    std::vector<Defect> found = defects(mesh);
-    if (!found.empty()) throw BuildError(std::move(found));
-    return Builder(mesh).table();
+    require_countable(mesh);
+    Builder builder(mesh);
+    if (!builder.is_sound()) throw BuildError(report(mesh));
+    return std::move(builder).table();
 }
 
 FaceList to_faces(const HalfEdgeTable& he) {

@@ -61,8 +61,8 @@ private:
 /// defect of its own takes no part in the later checks. Empty when the mesh has
 /// a table; a bow-tie is no defect, nor is a vertex that no face uses.
 /// Throws std::length_error when the numbers would not fit into int.
-/// As `build` when there is no defect, else O(n log n). (Lecture "half-edge", slide
-/// 170: the structure "needs adaptation" for other meshes)
+/// As `build` when there is no defect, else O(n log n). (Lecture "half-edge",
+/// slide 170: the structure "needs adaptation" for other meshes)
 std::vector<Defect> defects(const IndexedMesh& mesh);
 
 /// Vertices whose faces form more than one fan, ascending: where the mesh is

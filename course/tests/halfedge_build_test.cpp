@@ -545,6 +545,23 @@ TEST_CASE("a polygon of many sides and a fan of many faces are built") {
     CHECK(validate(he).empty());
 }
 
+TEST_CASE("a hub with the smallest number takes its faces in any order") {
+    // Quadratic, thus minutes, if edges waited in one list at the hub.
+    constexpr int n = 200'000;
+    Random random(24);
+    std::vector<int> order;
+    for (int k = 0; k < n; ++k) order.push_back(k);
+    for (int left = n; left > 1; --left)
+        std::swap(order[at(left - 1)], order[at(below(left, random))]);
+    IndexedMesh mesh = mesh_of(n + 1, {});
+    for (const int k : order) mesh.faces.push_back({0, 1 + k, 1 + (k + 1) % n});
+    const HalfEdgeTable he = build(mesh);
+    CHECK(he.size() == 4 * n);
+    CHECK(validate(he).empty());
+    mesh.faces.push_back({0, 1, 2});
+    CHECK(defects(mesh).size() == 4);
+}
+
 TEST_CASE("faces come back in the order of their numbers") {
     // Two triangles on the edge 0-1; face 1 stands first in the table.
     const HalfEdgeTable he = {{0, 1, 2, 1},  {1, 0, 4, 0},  {1, 1, 3, 6},

@@ -44,7 +44,8 @@ std::string text_of(const Progress& progress) {
 
 /// Takes one line over; false when it is none of ours.
 bool take_line(std::string_view line, Progress& progress) {
-    const std::vector<std::string_view> parts = words_of(line);
+    std::vector<std::string_view> parts;
+    split(line, parts);
     if (parts.size() == 2 && parts[0] == "current") {
         progress.current = parts[1];
         return true;
@@ -110,7 +111,7 @@ Progress read_progress(const Desk& desk) {
     Progress progress;
     if (!fs::exists(file)) return progress;
     const std::string text = read_file(file);
-    Lines lines(text);
+    Lines lines{std::string_view(text)};
     while (lines.next())
         if (!lines.line().empty() && !take_line(lines.line(), progress))
             throw CannotBegin(fmt::format(

@@ -18,7 +18,9 @@ namespace course {
 
 namespace {
 
-constexpr std::string_view blanks = " \t";
+bool is_blank(char c) {
+    return c == ' ' || c == '\t';
+}
 
 std::string lines_of(const std::filesystem::path& file,
                      const std::vector<FileDefect>& defects) {
@@ -58,9 +60,16 @@ std::error_code write_text(const std::filesystem::path& file,
 }
 
 std::string_view trimmed(std::string_view line) {
-    const std::size_t first = line.find_first_not_of(blanks);
-    if (first == std::string_view::npos) return {};
-    return line.substr(first, line.find_last_not_of(blanks) - first + 1);
+    while (!line.empty() && is_blank(line.front())) line.remove_prefix(1);
+    while (!line.empty() && is_blank(line.back())) line.remove_suffix(1);
+    return line;
+}
+
+std::string_view without_mark(std::string_view text) {
+    constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+    if (text.starts_with(byte_order_mark))
+        text.remove_prefix(byte_order_mark.size());
+    return text;
 }
 
 template <class Number>
@@ -115,21 +124,6 @@ void FileDefects::throw_if_any(const std::filesystem::path& file) {
     throw MeshFileError(file, std::move(defects_));
 }
 
-std::string read_text(const std::filesystem::path& file) {
-    errno = 0;
-    std::ifstream in(file, std::ios::binary);
-    if (!in) fail(file, "cannot be read", last_error());
-    std::string text;
-    std::vector<char> block(1 << 16);
-    while (in) {
-        in.read(block.data(), static_cast<std::streamsize>(block.size()));
-        text.append(block.data(), static_cast<std::size_t>(in.gcount()));
-    }
-    // Also for a directory, which can be opened like a file.
-    if (in.bad()) fail(file, "cannot be read", last_error());
-    return text;
-}
-
 void replace_text(const std::filesystem::path& file, std::string_view text) {
     const std::filesystem::path temporary = temporary_beside(file);
     std::error_code why = write_text(temporary, text);
@@ -156,33 +150,69 @@ void require_writable(const IndexedMesh& mesh) {
         require_vertices(mesh, edge, "loose edge", e++);
 }
 
-Lines::Lines(std::string_view text) : rest_(text) {
-    constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-    if (rest_.starts_with(byte_order_mark))
-        rest_.remove_prefix(byte_order_mark.size());
+Lines::Lines(std::string_view text) : rest_(without_mark(text)) {}
+
+Lines::Lines(const std::filesystem::path& file)
+    : file_(file), in_(file, std::ios::binary), is_all_(false) {
+    if (!in_) fail(file_, "cannot be read", last_error());
+    read_on();
+    rest_ = without_mark(rest_);
+}
+
+/// More of the file after the rest; false when there is no more.
+bool Lines::read_on() {
+    if (is_all_) return false;
+    constexpr std::size_t least = std::size_t{1} << 18;
+    block_.erase(0, block_.size() - rest_.size());
+    const std::size_t kept = block_.size();
+    block_.resize(kept + std::max(kept, least));
+    errno = 0;
+    in_.read(block_.data() + kept,
+             static_cast<std::streamsize>(block_.size() - kept));
+    // Also for a directory, which can be opened like a file.
+    if (in_.bad()) fail(file_, "cannot be read", last_error());
+    is_all_ = in_.eof();
+    block_.resize(kept + static_cast<std::size_t>(in_.gcount()));
+    rest_ = block_;
+    return true;
+}
+
+/// Of the rest; a CR at its end is one only when no LF can follow.
+std::size_t Lines::end_of_line() {
+    do {
+        if (newline_ >= rest_.size() || rest_[newline_] != '\n')
+            newline_ = std::min(rest_.find('\n', newline_), rest_.size());
+        const std::size_t end =
+            std::min(rest_.substr(0, newline_).find('\r'), newline_);
+        if (end + 1 < rest_.size() || is_all_) return end;
+    } while (read_on());
+    return rest_.size();
 }
 
 bool Lines::next() {
+    const std::size_t end = end_of_line();
     if (rest_.empty()) return false;
-    const std::size_t end = std::min(rest_.find_first_of("\r\n"), rest_.size());
     line_ = rest_.substr(0, end);
     line_ = trimmed(line_.substr(0, line_.find('#')));
-    rest_.remove_prefix(end);
-    rest_.remove_prefix(rest_.starts_with("\r\n") ? 2 : !rest_.empty());
+    const std::size_t after =
+        std::min(rest_.size(), end + (rest_.substr(end, 2) == "\r\n" ? 2 : 1));
+    rest_.remove_prefix(after);
+    newline_ = newline_ > after ? newline_ - after : 0;
     ++number_;
     return true;
 }
 
-std::vector<std::string_view> words_of(std::string_view line) {
-    std::vector<std::string_view> words;
-    std::size_t begin = line.find_first_not_of(blanks);
-    while (begin < line.size()) {
-        const std::size_t end =
-            std::min(line.find_first_of(blanks, begin), line.size());
-        words.push_back(line.substr(begin, end - begin));
-        begin = line.find_first_not_of(blanks, end);
+void split(std::string_view line, std::vector<std::string_view>& words) {
+    words.clear();
+    const char* at = line.data();
+    const char* const end = at + line.size();
+    while (true) {
+        while (at != end && is_blank(*at)) ++at;
+        if (at == end) return;
+        const char* const begin = at;
+        while (at != end && !is_blank(*at)) ++at;
+        words.emplace_back(begin, static_cast<std::size_t>(at - begin));
     }
-    return words;
 }
 
 std::string quoted(std::string_view word) {

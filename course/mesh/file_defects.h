@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <fstream>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -47,9 +48,6 @@ private:
     std::size_t left_out_ = 0;
 };
 
-/// The whole file. Throws MeshFileError when it cannot be read.
-std::string read_text(const std::filesystem::path& file);
-
 /// Writes the whole file under another name beside it and renames that: the
 /// file is the old or the new one at any time. Throws MeshFileError.
 void replace_text(const std::filesystem::path& file, std::string_view text);
@@ -59,25 +57,39 @@ void replace_text(const std::filesystem::path& file, std::string_view text);
 /// an index that is no vertex.
 void require_writable(const IndexedMesh& mesh);
 
-/// The lines of a text, without comments (`#` to the end) and the blanks
-/// around. They end in LF, CRLF or CR, the last one perhaps in nothing; a byte
-/// order mark is passed over. Precondition: the text outlives it.
+/// The lines of a text or a file, without comments (`#` to the end) and the
+/// blanks around. They end in LF, CRLF or CR, the last one perhaps in nothing;
+/// a byte order mark is passed over.
 class Lines {
 public:
+    /// Precondition: the text outlives it.
     explicit Lines(std::string_view text);
+    /// Reads the file as it goes: memory for its longest line, and a little.
+    /// Throws MeshFileError when it cannot be read, as `next` does.
+    explicit Lines(const std::filesystem::path& file);
     /// Goes to the next line, at first to the first; false after the last.
     bool next();
+    /// Until the next call of `next`.
     std::string_view line() const { return line_; }
     int number() const { return number_; }
 
 private:
-    std::string_view rest_;
+    std::size_t end_of_line();
+    bool read_on();
+
+    std::filesystem::path file_;
+    std::ifstream in_;
+    bool is_all_ = true;       ///< nothing more is to be read
+    std::string block_;        ///< of the file, from somewhere on
+    std::string_view rest_;    ///< what comes after the line
+    std::size_t newline_ = 0;  ///< no LF in rest_ comes before it
     std::string_view line_;
     int number_ = 0;
 };
 
-/// The words between blanks and tabs.
-std::vector<std::string_view> words_of(std::string_view line);
+/// Puts the words between blanks and tabs into a list, whose memory is used
+/// again.
+void split(std::string_view line, std::vector<std::string_view>& words);
 
 /// The word as messages show it: in quotes, short, and printable.
 std::string quoted(std::string_view word);

@@ -12,9 +12,9 @@
 //     one or two corners, and `l` lines when a `g` line follows;
 //   - passes over words that it does not know, such as `face`, and the first
 //     line after a byte order mark.
-// So it gets only lines that hold nothing of this, by the interface that counts
-// sides as int. That one has no callback for `l` lines; they are handed on as
-// `f` lines, since the indices of both are written alike.
+// So it gets only lines of indices that hold nothing of this, by the interface
+// that counts sides as int. That one has no callback for `l` lines; they are
+// handed on as `f` lines, since the indices of both are written alike.
 #include "course/mesh/obj.h"
 
 #include <fmt/format.h>
@@ -22,6 +22,8 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
+#include <cmath>
 #include <istream>
 #include <iterator>
 #include <span>
@@ -70,124 +72,200 @@ std::string index_defect(std::string_view word) {
     return {};
 }
 
-/// The v, f and l lines of a file, one at a time, as tinyobjloader may see
-/// them. It asks for the next line only when it is done with the one before,
-/// so its callbacks find here what else is to be known of their line.
+/// Whether the line has at least so many corners, all of them `1`, `1/2`,
+/// `1//3` or `1/2/3` of at most nine digits that do not begin with 0: most
+/// lines are like that, and need no closer look.
+bool is_plain(std::string_view corners, std::size_t least) {
+    std::size_t ended = 0;
+    int slashes = 0;
+    int digits = 0;
+    for (const char c : corners) {
+        if (c >= '1' - (digits > 0) && c <= '9') {
+            if (++digits > 9) return false;
+        } else if (c == '/') {
+            if ((digits == 0 && slashes != 1) || ++slashes > 2) return false;
+            digits = 0;
+        } else if (c != ' ' && c != '\t') {
+            return false;
+        } else if (digits > 0) {
+            ++ended;
+            slashes = digits = 0;
+        } else if (slashes > 0) {
+            return false;
+        }
+    }
+    return digits > 0 && ended + 1 >= least;
+}
+
+/// Three finite numbers and nothing else: most vertices are that, and need no
+/// closer look.
+bool is_plain(std::string_view words, std::array<double, 7>& numbers) {
+    const char* at = words.data();
+    const char* const end = at + words.size();
+    for (int k = 0; k < 3; ++k) {
+        if (at == end || (*at != ' ' && *at != '\t')) return false;
+        while (at != end && (*at == ' ' || *at == '\t')) ++at;
+        const auto [after, error] =
+            std::from_chars(at, end, numbers[static_cast<std::size_t>(k)]);
+        if (error != std::errc()) return false;
+        at = after;
+    }
+    return at == end && std::isfinite(numbers[0]) &&
+           std::isfinite(numbers[1]) && std::isfinite(numbers[2]);
+}
+
+/// A line that tinyobjloader sees, and what else is to be known of it.
+struct Statement {
+    Keyword keyword = Keyword::f;
+    int line = 0;
+    /// How many of them came before it.
+    int vertices = 0, textures = 0, normals = 0;
+};
+
+/// The f and l lines of a file as tinyobjloader may see them, a few thousand at
+/// a time; their callbacks ask one after the other what belongs to them. The
+/// vertices, which it would round, go into `positions` at once.
 class CheckedLines : public std::streambuf {
 public:
-    CheckedLines(std::string_view text, FileDefects& defects)
-        : lines_(text), defects_(defects) {}
+    CheckedLines(const std::filesystem::path& file, FileDefects& defects,
+                 std::vector<Vec3>& positions)
+        : lines_(file), defects_(defects), positions_(positions) {}
 
-    int line() const { return line_; }
-    Keyword keyword() const { return keyword_; }
-    /// The vertex of a v line, which tinyobjloader would round.
-    Vec3 position() const { return position_; }
+    Statement next_statement() { return statements_.at(given_++); }
+
     int textures() const { return textures_; }
     int normals() const { return normals_; }
 
 protected:
     int_type underflow() override {
-        do {
-            if (!next_statement()) return traits_type::eof();
-        } while (!check());
-        statement_ += '\n';
-        setg(statement_.data(), statement_.data(),
-             statement_.data() + statement_.size());
-        return traits_type::to_int_type(statement_.front());
+        constexpr std::size_t enough = std::size_t{1} << 15;
+        text_.clear();
+        statements_.clear();
+        given_ = 0;
+        while (text_.size() < enough && next_line()) check();
+        if (text_.empty()) return traits_type::eof();
+        setg(text_.data(), text_.data(), text_.data() + text_.size());
+        return traits_type::to_int_type(text_.front());
     }
 
 private:
     /// Joins lines that end in a backslash; false at the end of the file.
-    bool next_statement() {
+    bool next_line() {
         if (!lines_.next()) return false;
-        line_ = lines_.number();
-        statement_ = lines_.line();
-        while (statement_.ends_with('\\')) {
-            statement_.back() = ' ';
+        number_ = lines_.number();
+        line_ = lines_.line();
+        if (line_.ends_with('\\')) join();
+        return true;
+    }
+
+    void join() {
+        joined_ = line_;
+        while (joined_.ends_with('\\')) {
+            joined_.back() = ' ';
             if (lines_.next())
-                statement_ += lines_.line();
+                joined_ += lines_.line();
             else
-                defects_.add(line_, "the file ends after a `\\`");
+                defects_.add(number_, "the file ends after a `\\`");
         }
-        return true;
+        line_ = joined_;
     }
 
-    /// Whether tinyobjloader is to see the statement; reports its defects.
-    bool check() {
-        std::vector<std::string_view> words = words_of(statement_);
-        if (words.empty()) return false;
-        const std::string_view word = words.front();
-        words.erase(words.begin());
+    /// Reports the line's defects.
+    void check() {
+        const std::string_view word =
+            line_.substr(0, line_.find_first_of(" \t"));
         if (word == "v")
-            check_vertex(words);
+            read_vertex();
         else if (word == "f")
-            check_indices(Keyword::f, words);
+            check_indices(Keyword::f);
         else if (word == "l")
-            check_indices(Keyword::l, words);
-        else
-            return check_other(word);
-        return true;
-    }
-
-    /// Always false: tinyobjloader has nothing to do with it.
-    bool check_other(std::string_view word) {
-        if (word == "vt")
+            check_indices(Keyword::l);
+        else if (word == "vt")
             ++textures_;
         else if (word == "vn")
             ++normals_;
-        else if (std::find(passed_over.begin(), passed_over.end(), word) ==
-                 passed_over.end())
-            defects_.add(line_, fmt::format("{} is no keyword known here",
-                                            quoted(word)));
-        return false;
+        else if (!word.empty() &&
+                 std::find(passed_over.begin(), passed_over.end(), word) ==
+                     passed_over.end())
+            defects_.add(number_, fmt::format("{} is no keyword known here",
+                                              quoted(word)));
     }
 
     /// A bad vertex counts as one, for the sake of the indices after it.
-    void check_vertex(const std::vector<std::string_view>& words) {
-        keyword_ = Keyword::v;
+    void read_vertex() {
         std::array<double, 7> numbers{};
-        const std::size_t n = words.size();
+        const std::string_view words = line_.substr(1);
+        if (!is_plain(words, numbers)) check_numbers(words, numbers);
+        positions_.push_back({numbers[0], numbers[1], numbers[2]});
+    }
+
+    void check_numbers(std::string_view words, std::array<double, 7>& numbers) {
+        split(words, words_);
+        numbers = {};
+        const std::size_t n = words_.size();
         if (n != 3 && n != 4 && n != 6 && n != 7)
-            defects_.add(line_, fmt::format("v has {}, expected x y z (then "
-                                            "perhaps w, or a colour)",
-                                            counted(n, "number")));
+            defects_.add(number_, fmt::format("v has {}, expected x y z (then "
+                                              "perhaps w, or a colour)",
+                                              counted(n, "number")));
         for (std::size_t k = 0; k < std::min(n, numbers.size()); ++k)
-            if (std::string wrong = read_number(words[k], numbers[k]);
+            if (std::string wrong = read_number(words_[k], numbers[k]);
                 !wrong.empty())
-                defects_.add(line_, fmt::format("v: {}", wrong));
-        position_ = {numbers[0], numbers[1], numbers[2]};
-        statement_ = "v 0 0 0";
+                defects_.add(number_, fmt::format("v: {}", wrong));
+    }
+
+    void check_indices(Keyword keyword) {
+        const std::string_view corners = line_.substr(1);
+        const std::size_t least = keyword == Keyword::f ? 3 : 2;
+        const std::size_t before = text_.size();
+        text_ += 'f';
+        if (is_plain(corners, least))
+            text_ += corners;
+        else
+            check_corners(corners, keyword == Keyword::f ? "f" : "l", least);
+        text_ += '\n';
+        // Of a line without corners tinyobjloader would say nothing.
+        if (text_.size() == before + 2)
+            text_.resize(before);
+        else
+            statements_.push_back({keyword, number_,
+                                   static_cast<int>(positions_.size()),
+                                   textures_, normals_});
+    }
+
+    void check_corners(std::string_view corners, const char* name,
+                       std::size_t least) {
+        split(corners, words_);
+        if (words_.size() < least)
+            defects_.add(number_,
+                         fmt::format("{} has {}, expected at least {}", name,
+                                     counted(words_.size(), "corner"), least));
+        for (std::size_t k = 0; k < words_.size(); ++k) {
+            text_ += ' ';
+            text_ += checked(words_[k], name, k + 1);
+        }
     }
 
     /// What is bad goes on as index 0, which means none, so that the others of
     /// the line are looked at.
-    void check_indices(Keyword keyword,
-                       const std::vector<std::string_view>& words) {
-        keyword_ = keyword;
-        const char* const name = keyword == Keyword::f ? "f" : "l";
-        const std::size_t least = keyword == Keyword::f ? 3 : 2;
-        if (words.size() < least)
-            defects_.add(line_,
-                         fmt::format("{} has {}, expected at least {}", name,
-                                     counted(words.size(), "corner"), least));
-        std::string checked = "f";
-        for (std::size_t k = 0; k < words.size(); ++k) {
-            const std::string wrong = index_defect(words[k]);
-            checked += ' ';
-            checked += wrong.empty() ? words[k] : "0";
-            if (!wrong.empty())
-                defects_.add(line_, fmt::format("{}: corner {}: {}", name,
-                                                k + 1, wrong));
-        }
-        statement_ = std::move(checked);
+    std::string_view checked(std::string_view word, const char* name,
+                             std::size_t corner) {
+        const std::string wrong = index_defect(word);
+        if (wrong.empty()) return word;
+        defects_.add(number_,
+                     fmt::format("{}: corner {}: {}", name, corner, wrong));
+        return "0";
     }
 
     Lines lines_;
     FileDefects& defects_;
-    std::string statement_;
-    int line_ = 0;
-    Keyword keyword_ = Keyword::v;
-    Vec3 position_;
+    std::vector<Vec3>& positions_;
+    std::vector<std::string_view> words_;
+    std::string joined_;
+    std::string text_;
+    std::vector<Statement> statements_;
+    std::size_t given_ = 0;
+    std::string_view line_;
+    int number_ = 0;
     int textures_ = 0;
     int normals_ = 0;
 };
@@ -195,13 +273,11 @@ private:
 /// Takes what tinyobjloader finds and makes a mesh of it.
 class ObjMesh {
 public:
-    explicit ObjMesh(std::string_view text) : lines_(text, defects_) {}
+    explicit ObjMesh(const std::filesystem::path& file)
+        : lines_(file, defects_, mesh_.positions) {}
 
     IndexedMesh read(const std::filesystem::path& file) && {
         tinyobj::callback_t callbacks;
-        callbacks.vertex_cb = [](void* self, auto...) {
-            static_cast<ObjMesh*>(self)->add_vertex();
-        };
         callbacks.index_cb = [](void* self, tinyobj::index_t* indices, int n) {
             static_cast<ObjMesh*>(self)->add_indices(
                 {indices, static_cast<std::size_t>(n)});
@@ -239,33 +315,35 @@ private:
                                       : "normals (vn)";
     }
 
-    void add_vertex() { mesh_.positions.push_back(lines_.position()); }
-
     void add_indices(std::span<const tinyobj::index_t> indices) {
-        std::vector<int> vertices;
+        const Statement at = lines_.next_statement();
+        vertices_.clear();
         for (const tinyobj::index_t& index : indices) {
-            const int corner = static_cast<int>(vertices.size()) + 1;
-            vertices.push_back(
-                resolve(Pool::vertices, index.vertex_index, corner));
-            resolve(Pool::textures, index.texcoord_index, corner);
-            resolve(Pool::normals, index.normal_index, corner);
+            const int corner = static_cast<int>(vertices_.size()) + 1;
+            vertices_.push_back(resolve(at, Pool::vertices, at.vertices,
+                                        index.vertex_index, corner));
+            if (index.texcoord_index != 0)
+                resolve(at, Pool::textures, at.textures, index.texcoord_index,
+                        corner);
+            if (index.normal_index != 0)
+                resolve(at, Pool::normals, at.normals, index.normal_index,
+                        corner);
         }
-        if (lines_.keyword() == Keyword::f) {
-            mesh_.faces.push_back(vertices);
+        if (at.keyword == Keyword::f) {
+            mesh_.faces.push_back(vertices_);
             return;
         }
-        for (std::size_t k = 1; k < vertices.size(); ++k)
-            mesh_.loose_edges.push_back({vertices[k - 1], vertices[k]});
+        for (std::size_t k = 1; k < vertices_.size(); ++k)
+            mesh_.loose_edges.push_back({vertices_[k - 1], vertices_[k]});
     }
 
     /// From the file's index (from 1, or from the end when negative) to ours.
-    /// 0 stands for an index that is not given.
-    int resolve(Pool pool, int index, int corner) {
-        const int so_far = count(pool);
-        if (index > so_far)
-            later_.push_back({lines_.line(), corner, pool, index});
+    /// A vertex 0 has been complained of.
+    int resolve(const Statement& at, Pool pool, int so_far, int index,
+                int corner) {
+        if (index > so_far) later_.push_back({at.line, corner, pool, index});
         if (index < -so_far)
-            defects_.add(lines_.line(),
+            defects_.add(at.line,
                          fmt::format("corner {} is {}, but only {} {} come "
                                      "before it",
                                      corner, index, so_far, name(pool)));
@@ -282,16 +360,16 @@ private:
     }
 
     FileDefects defects_;
-    CheckedLines lines_;
     IndexedMesh mesh_;
+    CheckedLines lines_;
+    std::vector<int> vertices_;  ///< of a line
     std::vector<ForwardReference> later_;
 };
 
 }  // namespace
 
 IndexedMesh read_obj(const std::filesystem::path& file) {
-    const std::string text = read_text(file);
-    return ObjMesh(text).read(file);
+    return ObjMesh(file).read(file);
 }
 
 void write_obj(const std::filesystem::path& file, const IndexedMesh& mesh) {

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <iterator>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -19,7 +20,7 @@ namespace {
 /// Reads line by line; after a defect it goes on as well as it can.
 class OffReader {
 public:
-    explicit OffReader(std::string_view text) : lines_(text) {}
+    explicit OffReader(const std::filesystem::path& file) : lines_(file) {}
 
     IndexedMesh read(const std::filesystem::path& file) && {
         if (read_header()) {
@@ -41,7 +42,7 @@ private:
     /// Goes to the next line with something on it; false at the end.
     bool next_words() {
         while (lines_.next()) {
-            words_ = words_of(lines_.line());
+            split(lines_.line(), words_);
             if (!words_.empty()) return true;
         }
         return false;
@@ -137,11 +138,12 @@ private:
             bad(fmt::format("face {}: {}", f, wrong));
             return;
         }
-        std::vector<int> corners;
+        corners_.clear();
         for (int k = 1; k <= n; ++k)
-            corners.push_back(corner(f, words_[static_cast<std::size_t>(k)]));
-        mesh_.faces.push_back(corners);
-        check_colour(f, {words_.begin() + n + 1, words_.end()});
+            corners_.push_back(corner(f, words_[static_cast<std::size_t>(k)]));
+        mesh_.faces.push_back(corners_);
+        check_colour(
+            f, std::span(words_).subspan(static_cast<std::size_t>(n) + 1));
     }
 
     int corner(int f, std::string_view word) {
@@ -154,7 +156,7 @@ private:
         return v;
     }
 
-    void check_colour(int f, const Words& words) {
+    void check_colour(int f, std::span<const std::string_view> words) {
         double ignored = 0;
         if (words.size() > 4)
             bad(
@@ -179,6 +181,7 @@ private:
     FileDefects defects_;
     IndexedMesh mesh_;
     Words words_;
+    std::vector<int> corners_;
     int vertices_ = 0;
     int faces_ = 0;
 };
@@ -186,8 +189,7 @@ private:
 }  // namespace
 
 IndexedMesh read_off(const std::filesystem::path& file) {
-    const std::string text = read_text(file);
-    return OffReader(text).read(file);
+    return OffReader(file).read(file);
 }
 
 void write_off(const std::filesystem::path& file, const IndexedMesh& mesh) {

@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstddef>
+#include <cstring>
 #include <limits>
 #include <tuple>
 #include <utility>
@@ -280,6 +282,9 @@ std::string lines_of(const std::vector<Defect>& defects) {
 
 bool has_distinct_corners(FaceList::Face corners) {
     constexpr std::size_t few = 16;
+    if (corners.size() == 3)
+        return corners[0] != corners[1] && corners[1] != corners[2] &&
+               corners[2] != corners[0];
     if (corners.size() > few) {
         std::vector<int> sorted(corners.begin(), corners.end());
         std::sort(sorted.begin(), sorted.end());
@@ -291,107 +296,192 @@ bool has_distinct_corners(FaceList::Face corners) {
     return corners.size() >= 3;
 }
 
-/// Opposite half-edges are made together, as rows 2e and 2e+1, the second one
-/// as a border half-edge until a face takes it. Edge e is found again in a list
-/// at one of its ends, the one with fewer sides: so the lists stay short, even
-/// round a hub. Stops at the first defect.
-class Builder {
+/// Calls use(from, to) for each side of a face and each loose edge, in order:
+/// side k begins at corner k of the list of corners.
+template <class Use>
+void for_each_side(const IndexedMesh& mesh, Use use) {
+    const int* const corners = mesh.faces.corners().data();
+    const int* corner = corners;
+    for (const std::size_t end : mesh.faces.ends()) {
+        const int* const last = corners + end - 1;
+        const int first = *corner;
+        for (; corner != last; ++corner) use(corner[0], corner[1]);
+        use(*corner++, first);
+    }
+    for (const auto& [from, to] : mesh.loose_edges) use(from, to);
+}
+
+bool are_sound(const IndexedMesh& mesh) {
+    const auto is_sound_vertex = [&](int v) { return is_vertex(mesh, v); };
+    const std::vector<int>& corners = mesh.faces.corners();
+    if (!std::all_of(corners.begin(), corners.end(), is_sound_vertex))
+        return false;
+    std::size_t begin = 0;
+    for (const std::size_t end : mesh.faces.ends()) {
+        if (!has_distinct_corners({corners.data() + begin, end - begin}))
+            return false;
+        begin = end;
+    }
+    return std::all_of(mesh.loose_edges.begin(), mesh.loose_edges.end(),
+                       [&](const auto& edge) {
+                           return edge[0] != edge[1] &&
+                                  is_sound_vertex(edge[0]) &&
+                                  is_sound_vertex(edge[1]);
+                       });
+}
+
+/// Which sides run along the same edge. The sides are laid out by the smaller
+/// end of their edge, so that what has to be found lies together, in whatever
+/// order faces and vertices are numbered; and found by its other end in a list
+/// with a place for each vertex, so that a hub costs no more than others.
+class Pairing {
 public:
-    explicit Builder(const IndexedMesh& mesh) : ends_(mesh.positions.size()) {
+    /// Precondition: are_sound(mesh). The rows of the table to be lend their
+    /// memory for the sides that are laid out, two in a row.
+    Pairing(const IndexedMesh& mesh, std::vector<HalfEdge>& rows)
+        : faces_sides_(static_cast<int>(mesh.faces.corners().size())),
+          other_(mesh.faces.corners().size() + mesh.loose_edges.size(), -1),
+          rows_(rows) {
         // An upper bound; memory that is never touched costs nothing.
-        const std::size_t most =
-            mesh.faces.corners().size() + mesh.loose_edges.size();
-        rows_.reserve(2 * most);
-        edges_.reserve(most);
-        is_sound_ = count_sides(mesh) && add_faces(mesh.faces) &&
-                    add_loose_edges(mesh.loose_edges);
-        if (is_sound_ && rows_.size() != mesh.faces.corners().size())
-            link_borders();
+        rows_.reserve(2 * other_.size());
+        rows_.resize(other_.size() / 2 + 1);
+        bytes_ = reinterpret_cast<std::byte*>(rows_.data());
+        std::vector<int> last(mesh.positions.size(), -1);
+        int begin = 0;
+        for (const int end : lay_out(mesh)) {
+            for (int k = begin; k < end; ++k)
+                pair(k, begin, last[index(laid(k).other)]);
+            begin = end;
+        }
+        rows_.resize(2 * (other_.size() - pairs_));
     }
 
+    /// Whether no edge has more than two sides, or two that run alike, or a
+    /// loose edge beside another side.
     bool is_sound() const { return is_sound_; }
+
+    /// For each side the other one of its edge; -1: none.
+    std::vector<int> sides() && { return std::move(other_); }
+
+private:
+    struct Laid {
+        int other;  // the larger end
+        int side;   // twice its number; one more when it runs from there
+    };
+
+    static_assert(2 * sizeof(Laid) == sizeof(HalfEdge));
+
+    Laid laid(int k) const {
+        Laid found;
+        std::memcpy(&found, bytes_ + index(k) * sizeof found, sizeof found);
+        return found;
+    }
+
+    void lay(int k, Laid laid) {
+        std::memcpy(bytes_ + index(k) * sizeof laid, &laid, sizeof laid);
+    }
+
+    /// By smaller end; returns where those of each vertex end.
+    std::vector<int> lay_out(const IndexedMesh& mesh) {
+        std::vector<int> ends(mesh.positions.size() + 1, 0);
+        for_each_side(mesh, [&](int from, int to) {
+            ++ends[index(std::min(from, to)) + 1];
+        });
+        for (std::size_t v = 1; v < ends.size(); ++v) ends[v] += ends[v - 1];
+        int side = 0;
+        for_each_side(mesh, [&](int from, int to) {
+            lay(ends[index(std::min(from, to))]++,
+                {std::max(from, to), 2 * side++ + (from > to ? 1 : 0)});
+        });
+        ends.pop_back();
+        return ends;
+    }
+
+    /// `last` is the last side that was laid out with this other end.
+    void pair(int k, int begin, int& last) {
+        if (last >= begin) {
+            const int a = laid(last).side;
+            const int b = laid(k).side;
+            is_sound_ = is_sound_ && other_[index(a / 2)] == -1 &&
+                        (a ^ b) % 2 != 0 && std::max(a, b) / 2 < faces_sides_;
+            other_[index(a / 2)] = b / 2;
+            other_[index(b / 2)] = a / 2;
+            ++pairs_;
+        }
+        last = k;
+    }
+
+    int faces_sides_;
+    std::vector<int> other_;
+    std::vector<HalfEdge>& rows_;
+    std::byte* bytes_ = nullptr;  // of the rows
+    std::size_t pairs_ = 0;
+    bool is_sound_ = true;
+};
+
+/// Opposite half-edges are made together, as rows 2e and 2e+1, the second one
+/// as a border half-edge until its side comes.
+class Builder {
+public:
+    /// `rows` and `sides` are those of a sound Pairing of the mesh.
+    Builder(const IndexedMesh& mesh, std::vector<HalfEdge> rows,
+            std::vector<int> sides)
+        : rows_(std::move(rows)), sides_(std::move(sides)) {
+        add_faces(mesh.faces);
+        for (const auto& [from, to] : mesh.loose_edges) add_edge(from, to, -1);
+        if (rows_.size() != mesh.faces.corners().size())
+            link_borders(mesh.positions.size());
+    }
+
     HalfEdgeTable table() && { return HalfEdgeTable(std::move(rows_)); }
 
 private:
-    struct End {
-        int last = -1;  // edge of its list
-        int sides = 0;  // that touch the vertex
-    };
-    struct Edge {
-        int other;   // end, not the one whose list it is in
-        int before;  // edge before it in the list
-    };
-
     HalfEdge& row(int i) { return rows_[index(i)]; }
 
-    /// False when a side ends at no vertex.
-    bool count_sides(const IndexedMesh& mesh) {
-        const auto count = [&](int v) {
-            if (!is_vertex(mesh, v)) return false;
-            ++ends_[index(v)].sides;
-            return true;
-        };
-        const std::vector<int>& corners = mesh.faces.corners();
-        const auto& loose = mesh.loose_edges;
-        return std::all_of(corners.begin(), corners.end(), count) &&
-               std::all_of(loose.begin(), loose.end(), [&](const auto& edge) {
-                   return count(edge[0]) && count(edge[1]);
-               });
-    }
-
-    bool add_faces(const FaceList& faces) {
-        for (int f = 0; f < faces.size(); ++f) {
-            if (!has_distinct_corners(faces[f]) || !add_face(faces[f], f))
-                return false;
-        }
-        return true;
-    }
-
-    /// Whether the edge is in a list at a, not at b.
-    bool is_list_at(int a, int b) const {
-        const int more = ends_[index(a)].sides - ends_[index(b)].sides;
-        return more != 0 ? more < 0 : a < b;
-    }
-
-    bool add_loose_edges(const std::vector<std::array<int, 2>>& edges) {
-        // A new edge has an even half-edge.
-        return std::all_of(edges.begin(), edges.end(), [&](const auto& edge) {
-            return edge[0] != edge[1] && side(edge[0], edge[1], -1) % 2 == 0;
-        });
-    }
-
-    /// The half-edge from `from` to `to`, now along `face`; -1 if there was one
-    /// along a face already.
-    int side(int from, int to, int face) {
-        const bool at_from = is_list_at(from, to);
-        int& last = ends_[index(at_from ? from : to)].last;
-        const int other = at_from ? to : from;
-        for (int e = last; e != -1; e = edges_[index(e)].before) {
-            if (edges_[index(e)].other != other) continue;
-            HalfEdge& waiting = row(2 * e + 1);
-            if (waiting.vi != from || waiting.fi != -1) return -1;
-            waiting.fi = face;
-            return 2 * e + 1;
-        }
-        const int i = static_cast<int>(rows_.size());
-        edges_.push_back({other, last});
-        last = i / 2;
-        rows_.push_back({from, face, -1, i + 1});
-        rows_.push_back({to, -1, -1, i});
+    int add_edge(int from, int to, int face) {
+        const int i = made_;
+        row(i) = {from, face, -1, i + 1};
+        row(i + 1) = {to, -1, -1, i};
+        made_ += 2;
         return i;
     }
 
-    bool add_face(FaceList::Face corners, int face) {
-        const int first = side(corners[0], corners[1], face);
+    /// The half-edge of the next side; its number takes the place of the side's
+    /// other one, which nobody asks for again.
+    int add_side(int from, int to) {
+        int& other = sides_[index(side_)];
+        const bool is_second = other != -1 && other < side_;
+        if (is_second) {
+            other = sides_[index(other)] + 1;
+            row(other).fi = face_;
+        } else {
+            other = add_edge(from, to, face_);
+        }
+        ++side_;
+        return other;
+    }
+
+    void add_faces(const FaceList& faces) {
+        const int* const corners = faces.corners().data();
+        const int* corner = corners;
+        for (const std::size_t end : faces.ends()) {
+            add_face(corner, corners + end);
+            corner = corners + end;
+        }
+    }
+
+    void add_face(const int* corner, const int* end) {
+        const int to_first = *corner;
+        const int first = add_side(corner[0], corner[1]);
         int last = first;
-        for (std::size_t k = 1; k < corners.size() && last != -1; ++k) {
-            const int to = corners[k + 1 < corners.size() ? k + 1 : 0];
-            const int i = side(corners[k], to, face);
+        while (++corner != end) {
+            const int to = corner + 1 != end ? corner[1] : to_first;
+            const int i = add_side(*corner, to);
             row(last).next = i;
             last = i;
         }
-        if (last != -1) row(last).next = first;
-        return last != -1;
+        row(last).next = first;
+        ++face_;
     }
 
     /// From a border half-edge round its vertex, over the faces of its fan, to
@@ -404,14 +494,14 @@ private:
 
     /// Each fan is closed by itself first; a later fan of the same vertex, or a
     /// loose edge, which is a fan without faces, is spliced into the first.
-    void link_borders() {
+    void link_borders(std::size_t vertices) {
         // Each vertex's border half-edge that comes in.
-        for (End& end : ends_) end.last = -1;
+        std::vector<int> coming_in(vertices, -1);
         for (int i = 0; index(i) < rows_.size(); ++i) {
             if (row(i).fi != -1) continue;
             const int j = other_end_of_fan(i);
             row(j).next = i;
-            int& before = ends_[index(row(i).vi)].last;
+            int& before = coming_in[index(row(i).vi)];
             if (before == -1)
                 before = j;
             else
@@ -420,9 +510,8 @@ private:
     }
 
     std::vector<HalfEdge> rows_;
-    std::vector<Edge> edges_;
-    std::vector<End> ends_;
-    bool is_sound_ = false;
+    std::vector<int> sides_;
+    int made_ = 0, side_ = 0, face_ = 0;
 };
 
 // ---- fans
@@ -568,7 +657,8 @@ void require_countable(std::size_t vertices, std::size_t faces,
 
 std::vector<Defect> defects(const IndexedMesh& mesh) {
     require_countable(mesh);
-    if (Builder(mesh).is_sound()) return {};
+    std::vector<HalfEdge> rows;
+    if (are_sound(mesh) && Pairing(mesh, rows).is_sound()) return {};
     return report(mesh);
 }
 
@@ -588,9 +678,11 @@ std::vector<int> bow_tie_vertices(const IndexedMesh& mesh) {
 
 HalfEdgeTable build(const IndexedMesh& mesh) {
     require_countable(mesh);
-    Builder builder(mesh);
-    if (!builder.is_sound()) throw BuildError(report(mesh));
-    return std::move(builder).table();
+    if (!are_sound(mesh)) throw BuildError(report(mesh));
+    std::vector<HalfEdge> rows;
+    Pairing pairing(mesh, rows);
+    if (!pairing.is_sound()) throw BuildError(report(mesh));
+    return Builder(mesh, std::move(rows), std::move(pairing).sides()).table();
 }
 
 FaceList to_faces(const HalfEdgeTable& he) {

@@ -82,10 +82,9 @@ void require_countable(std::size_t vertices, std::size_t faces,
 /// where several borders or loose edges meet (bow-tie), they are linked so that
 /// one walk round the vertex passes through all of them. (Slide 170)
 /// Throws BuildError with all defects; std::length_error as `defects`.
-/// An edge is looked for at that of its ends with fewer sides: linear on
-/// surfaces, hubs of any degree included; m sqrt(m) for m sides at the very
-/// worst, where all vertices are joined to all. Takes 16 bytes for each
-/// half-edge, and while it works 8 for each edge and each vertex.
+/// Linear, hubs of any degree included: sides are laid out by the smaller end
+/// of their edge. Takes 16 bytes for each half-edge, and while it works 4 for
+/// each side and 8 for each vertex.
 HalfEdgeTable build(const IndexedMesh& mesh);
 
 /// The faces in order of their numbers, each from any of its corners. Loose

@@ -49,6 +49,8 @@ public:
     void reserve(std::size_t faces, std::size_t corners);
     /// Corners of all faces, one after the other.
     const std::vector<int>& corners() const { return corners_; }
+    /// For each face, where its corners end among those of all.
+    const std::vector<std::size_t>& ends() const { return end_; }
 
     Iterator begin() const { return {this, 0}; }
     Iterator end() const { return {this, size()}; }
@@ -60,7 +62,7 @@ public:
 private:
     bool equals(const FaceList& other) const;
 
-    std::vector<std::size_t> end_;  // where each face ends in corners_
+    std::vector<std::size_t> end_;
     std::vector<int> corners_;
 };
 

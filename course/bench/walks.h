@@ -48,7 +48,7 @@ double sum_of_faces(const Mesh& mesh) {
             ++sides;
             h = mesh.next(h);
         } while (h != start);
-        sum += sides * (f % 3 + 1);
+        sum += long{sides} * (f % 3 + 1);
     }
     return static_cast<double>(sum);
 }

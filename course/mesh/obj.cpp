@@ -85,12 +85,11 @@ bool is_plain(std::string_view corners, std::size_t least) {
         } else if (c == '/') {
             if ((digits == 0 && slashes != 1) || ++slashes > 2) return false;
             digits = 0;
-        } else if (c != ' ' && c != '\t') {
-            return false;
-        } else if (digits > 0) {
-            ++ended;
+        } else if (c == ' ' || c == '\t') {
+            if (digits == 0 && slashes > 0) return false;
+            ended += digits > 0;
             slashes = digits = 0;
-        } else if (slashes > 0) {
+        } else {
             return false;
         }
     }

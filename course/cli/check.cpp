@@ -33,9 +33,8 @@ int check_one(const Desk& desk, const std::string& name, const fs::path& file) {
     make_ready({exercise}, {JudgeKind::lab});
     const ExerciseResult result =
         file.empty() ? check_mine(desk, exercise) : check_file(exercise, file);
-    fmt::print(
-        "{}", explain_result(
-                  exercise, file.empty() ? desk.file(exercise) : file, result));
+    fmt::print("{}", file.empty() ? explain_mine(desk, exercise, result)
+                                  : explain_result(exercise, file, result));
     return exit_code(result.verdict);
 }
 
@@ -103,6 +102,21 @@ ExerciseResult check_mine(const Desk& desk, const Exercise& exercise) {
             note(progress, exercise, checked);
         });
     return std::move(checked.result);
+}
+
+std::string explain_mine(const Desk& desk, const Exercise& exercise,
+                         const ExerciseResult& result) {
+    std::string text = explain_result(exercise, desk.file(exercise), result);
+    // Where there are references, these are called in their place.
+    if (result.verdict == Verdict::accepted || has_solutions()) return text;
+    const Progress progress = read_progress(desk);
+    for (const Exercise& before : exercises_before(exercise))
+        if (progress.state(before) != State::solved)
+            text += fmt::format(
+                "\nIt builds on {}, which is not solved yet: see lab check "
+                "{}\n",
+                before.name, before.name);
+    return text;
 }
 
 std::vector<ExerciseResult> check_many(

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <string>
 #include <vector>
 
 #include "course/cli/desk.h"
@@ -19,7 +20,12 @@ ExerciseResult check_file(const Exercise& exercise,
 /// when there is no such file.
 ExerciseResult check_mine(const Desk& desk, const Exercise& exercise);
 
-/// The same for many, one on each core at a time; the results in their order.
+/// What is to be told of it: explain_result, and where it was not accepted,
+/// which exercises that it builds on are not solved yet.
+std::string explain_mine(const Desk& desk, const Exercise& exercise,
+                         const ExerciseResult& result);
+
+/// check_mine for many, one on each core at a time; the results in their order.
 /// `each` is told how many are done, by one thread at a time. Builds what is
 /// not built yet.
 std::vector<ExerciseResult> check_many(

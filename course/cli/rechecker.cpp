@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "course/cli/check.h"
-#include "course/cli/explain_result.h"
 #include "course/runner/make_ready.h"
 
 namespace course {
@@ -22,7 +21,7 @@ int build_suite(const Exercise& exercise) {
 
 int check_and_tell(const Desk& desk, const Exercise& exercise) {
     const ExerciseResult result = check_mine(desk, exercise);
-    fmt::print("{}", explain_result(exercise, desk.file(exercise), result));
+    fmt::print("{}", explain_mine(desk, exercise, result));
     return exit_code(result.verdict);
 }
 

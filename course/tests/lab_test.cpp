@@ -67,6 +67,14 @@ TEST_CASE("wrong usage ends with 2 and says what is wrong") {
     check_usage_error({"hint", "face_sides", "0"}, "not 0");
     check_usage_error({"hint", "face_sides", "99"}, "not 99");
     check_usage_error({"hint", "face_sides", "two"}, "two");
+    check_usage_error({"demo"}, "which exercise?");
+    check_usage_error({"demo", "area_vector"}, "without a half-edge table");
+    check_usage_error({"demo", "face_sides", "--file", "none.cpp"},
+                      "none.cpp is no file");
+    check_usage_error({"demo", "face_sides", "--mesh", "none.obj"},
+                      "none.obj: cannot be read");
+    check_usage_error({"demo", "face_sides", "--all", "pages"}, "excludes");
+    check_usage_error({"demo", "face_sides", "--port", "8000"}, "requires");
 }
 
 TEST_CASE("help ends with 0 and names the commands") {

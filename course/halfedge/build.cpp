@@ -10,6 +10,7 @@
 #include <tuple>
 #include <utility>
 
+#include "course/halfedge/edge_uses.h"
 #include "course/halfedge/validate.h"
 
 namespace course {
@@ -52,36 +53,9 @@ bool report_face(const IndexedMesh& mesh, int f, std::vector<Defect>& found) {
     return found.size() == before;
 }
 
-/// A face on an edge.
-struct Use {
-    int low, high;  // the ends of the edge
-    int face;
-    bool falling;  // the face runs from the larger end to the smaller
-
-    friend auto operator<=>(const Use&, const Use&) = default;
-};
-
-std::vector<Use> uses_of_edges(const IndexedMesh& mesh,
-                               const std::vector<int>& faces) {
-    std::vector<Use> uses;
-    for (const int f : faces) {
-        int from = mesh.faces[f].back();
-        for (const int to : mesh.faces[f]) {
-            uses.push_back(
-                {std::min(from, to), std::max(from, to), f, from > to});
-            from = to;
-        }
-    }
-    std::sort(uses.begin(), uses.end());
-    return uses;
-}
-
-bool same_edge(const Use& a, const Use& b) {
-    return a.low == b.low && a.high == b.high;
-}
-
 /// The uses of one edge as a defect, if they are one.
-void report_edge(const Use* begin, const Use* end, std::vector<Defect>& found) {
+void report_edge(const EdgeUse* begin, const EdgeUse* end,
+                 std::vector<Defect>& found) {
     const bool falling = begin->falling;
     const bool alike = end - begin == 2 && falling == begin[1].falling;
     if (end - begin < 3 && !alike) return;
@@ -89,20 +63,9 @@ void report_edge(const Use* begin, const Use* end, std::vector<Defect>& found) {
                                 : DefectKind::edge_with_many_faces};
     defect.vertices = {begin->low, begin->high};
     if (falling) std::swap(defect.vertices[0], defect.vertices[1]);
-    for (const Use* use = begin; use != end; ++use)
+    for (const EdgeUse* use = begin; use != end; ++use)
         defect.faces.push_back(use->face);
     found.push_back(std::move(defect));
-}
-
-void report_edges(const std::vector<Use>& uses, std::vector<Defect>& found) {
-    const Use* const end = uses.data() + uses.size();
-    const Use* begin = uses.data();
-    while (begin != end) {
-        const Use* after = begin + 1;
-        while (after != end && same_edge(*begin, *after)) ++after;
-        report_edge(begin, after, found);
-        begin = after;
-    }
 }
 
 /// The corners in order, from the smallest.
@@ -157,12 +120,12 @@ bool report_loose_edge(const IndexedMesh& mesh, int e,
 }
 
 /// The faces of the edge between two vertices, ascending.
-std::vector<int> faces_of_edge(const std::vector<Use>& uses, int low,
+std::vector<int> faces_of_edge(const std::vector<EdgeUse>& uses, int low,
                                int high) {
     std::vector<int> faces;
-    const Use first{low, high, -1, false};
+    const EdgeUse first{low, high, -1, false, -1};
     for (auto use = std::lower_bound(uses.begin(), uses.end(), first);
-         use != uses.end() && same_edge(*use, first); ++use)
+         use != uses.end() && use->low == low && use->high == high; ++use)
         faces.push_back(use->face);
     return faces;
 }
@@ -177,7 +140,8 @@ std::vector<std::array<int, 3>> sorted_loose_edges(const IndexedMesh& mesh) {
     return sorted;
 }
 
-void report_loose_edges(const IndexedMesh& mesh, const std::vector<Use>& uses,
+void report_loose_edges(const IndexedMesh& mesh,
+                        const std::vector<EdgeUse>& uses,
                         std::vector<Defect>& found) {
     const std::vector<std::array<int, 3>> sorted = sorted_loose_edges(mesh);
     for (int e = 0; index(e) < mesh.loose_edges.size(); ++e) {
@@ -202,8 +166,10 @@ std::vector<Defect> report(const IndexedMesh& mesh) {
     std::vector<int> sound;
     for (int f = 0; f < mesh.faces.size(); ++f)
         if (report_face(mesh, f, found)) sound.push_back(f);
-    const std::vector<Use> uses = uses_of_edges(mesh, sound);
-    report_edges(uses, found);
+    const std::vector<EdgeUse> uses = edge_uses(mesh);
+    for_each_edge(uses, [&](const EdgeUse* begin, const EdgeUse* end) {
+        report_edge(begin, end, found);
+    });
     report_duplicates(mesh, sound, found);
     report_loose_edges(mesh, uses, found);
     return found;
@@ -279,22 +245,6 @@ std::string lines_of(const std::vector<Defect>& defects) {
 }
 
 // ---- the table itself
-
-bool has_distinct_corners(FaceList::Face corners) {
-    constexpr std::size_t few = 16;
-    if (corners.size() == 3)
-        return corners[0] != corners[1] && corners[1] != corners[2] &&
-               corners[2] != corners[0];
-    if (corners.size() > few) {
-        std::vector<int> sorted(corners.begin(), corners.end());
-        std::sort(sorted.begin(), sorted.end());
-        return std::adjacent_find(sorted.begin(), sorted.end()) == sorted.end();
-    }
-    for (std::size_t k = 1; k < corners.size(); ++k)
-        for (std::size_t j = 0; j < k; ++j)
-            if (corners[j] == corners[k]) return false;
-    return corners.size() >= 3;
-}
 
 /// Calls use(from, to) for each side of a face and each loose edge, in order:
 /// side k begins at corner k of the list of corners.
@@ -515,12 +465,6 @@ private:
 };
 
 // ---- fans
-
-bool is_sound_face(const IndexedMesh& mesh, FaceList::Face corners) {
-    return has_distinct_corners(corners) &&
-           std::all_of(corners.begin(), corners.end(),
-                       [&](int v) { return is_vertex(mesh, v); });
-}
 
 /// Corners of a mesh by vertex, in groups that share an edge at the vertex.
 class Fans {

@@ -29,6 +29,7 @@ void print_statement(const Exercise& exercise);
 /// Adds the command to the program; `code` is set when it runs, on `desk` as it
 /// is then. Both outlive the program.
 void add_check(CLI::App& program, const Desk& desk, int& code);
+void add_clean(CLI::App& program, int& code);
 void add_demo(CLI::App& program, const Desk& desk, int& code);
 void add_doctor(CLI::App& program, const Desk& desk, int& code);
 void add_figures(CLI::App& program, int& code);

@@ -12,9 +12,9 @@
 #include "course/cli/demo_set.h"
 #include "course/cli/live.h"
 #include "course/halfedge/build.h"
+#include "course/mesh/clean.h"
 #include "course/mesh/file_defects.h"
-#include "course/mesh/obj.h"
-#include "course/mesh/off.h"
+#include "course/mesh/mesh_file.h"
 #include "course/player/record.h"
 #include "course/player/walk_page.h"
 #include "course/runner/process.h"
@@ -30,23 +30,37 @@ struct Options {
     fs::path file, mesh;
     std::vector<int> starts;
     fs::path out, json, all;
+    bool clean = false;
     bool open = false;
     bool live = false;
     int port = 0;
 };
 
-Fixture fixture_from(const fs::path& file) {
+IndexedMesh cleaned(const fs::path& file, IndexedMesh mesh) {
+    Cleaned result = clean(std::move(mesh));
+    fmt::print("{}: {}\n{}", file.string(),
+               counted(result.changes.size(), "change"),
+               to_string(result.changes));
+    return std::move(result.mesh);
+}
+
+Fixture fixture_from(const Options& options) {
+    const fs::path& file = options.mesh;
     try {
         Fixture fixture;
         fixture.name = file.stem();
-        fixture.mesh =
-            file.extension() == ".off" ? read_off(file) : read_obj(file);
+        fixture.mesh = read_mesh(file);
+        if (options.clean)
+            fixture.mesh = cleaned(file, std::move(fixture.mesh));
         fixture.he = build(fixture.mesh);
         return fixture;
+    } catch (const UnknownMeshFile& error) {
+        throw CannotShow(error.what());
     } catch (const MeshFileError& error) {
         throw CannotShow(error.what());
     } catch (const BuildError& error) {
-        throw CannotShow(fmt::format("{}: {}", file.string(), error.what()));
+        throw CannotShow(fmt::format("{}: {}\n(with --clean it is mended)",
+                                     file.string(), error.what()));
     }
 }
 
@@ -59,7 +73,7 @@ RecordOptions record_options(const Desk& desk, const Exercise& exercise,
     if (!recorded.file.empty() && !fs::is_regular_file(recorded.file))
         throw CannotShow(fmt::format("{} is no file", recorded.file.string()));
     recorded.starts = options.starts;
-    if (!options.mesh.empty()) recorded.mesh = fixture_from(options.mesh);
+    if (!options.mesh.empty()) recorded.mesh = fixture_from(options);
     // Of a large mesh nobody wants all walks; from the others one walks by
     // hand.
     if (recorded.mesh && recorded.mesh->mesh.faces.size() > most_drawn_faces &&
@@ -138,9 +152,14 @@ CLI::App* add_options(CLI::App& program, Options& options) {
     command->add_option("--file", options.file,
                         "a student's file, right or wrong, beside the "
                         "reference");
-    command->add_option("--mesh", options.mesh,
-                        "an .obj or .off file in place of the slide's mesh; "
-                        "from 200 faces on the page shows it in 3D");
+    CLI::Option* mesh = command->add_option(
+        "--mesh", options.mesh,
+        "an .obj or .off file in place of the slide's mesh; from 200 faces on "
+        "the page shows it in 3D");
+    command
+        ->add_flag("--clean", options.clean,
+                   "mend a mesh that has no table, and say how")
+        ->needs(mesh);
     command->add_option("--start", options.starts,
                         "the half-edges (or vertices) to start from (default: "
                         "each of them; on large meshes 0)");

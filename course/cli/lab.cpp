@@ -24,6 +24,7 @@ void add_commands(CLI::App& program, const Desk& desk, int& code) {
     add_doctor(program, desk, code);
     add_demo(program, desk, code);
     add_figures(program, code);
+    add_clean(program, code);
 }
 
 int run_lab(CLI::App& program, int argc, char** argv) {

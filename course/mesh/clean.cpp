@@ -212,6 +212,17 @@ std::string to_string(const Change& change) {
     return "unknown change";
 }
 
+std::string to_string(const std::vector<Change>& changes) {
+    constexpr std::size_t most = 20;
+    std::string lines;
+    for (const Change& change :
+         std::span(changes).first(std::min(most, changes.size())))
+        lines += to_string(change) + '\n';
+    if (changes.size() > most)
+        lines += fmt::format("and {} more changes\n", changes.size() - most);
+    return lines;
+}
+
 Cleaned drop_degenerate_faces(const IndexedMesh& mesh) {
     Cleaned cleaned = without_faces(mesh);
     LoopCutter cutter(mesh.vertex_count());

@@ -47,6 +47,9 @@ struct Change {
 /// long lists of faces or vertices the first ones only.
 std::string to_string(const Change& change);
 
+/// A line for each, of many only for the first ones, and how many there are.
+std::string to_string(const std::vector<Change>& changes);
+
 /// What a step makes of a mesh.
 struct Cleaned {
     IndexedMesh mesh;

@@ -80,12 +80,42 @@ TEST_CASE("wrong usage ends with 2 and says what is wrong") {
 TEST_CASE("help ends with 0 and names the commands") {
     const Said said = lab({"--help"});
     CHECK(said.code == 0);
-    for (const std::string command : {"check", "list", "hint", "next", "status",
-                                      "reset", "submit", "doctor", "figures"}) {
+    for (const std::string command :
+         {"check", "list", "hint", "next", "status", "reset", "submit",
+          "doctor", "figures", "clean"}) {
         CHECK(contains(said.text, command));
         CHECK(lab({command, "--help"}).code == 0);
     }
     CHECK(contains(lab({"check", "--help"}).text, "Exit code: 0 accepted"));
+}
+
+TEST_CASE("clean mends a mesh, says how, and refuses what is no mesh file") {
+    const TemporaryFolder folder;
+    const std::string bad = folder / "bad.obj";
+    const std::string good = folder / "good.off";
+    std::ofstream(bad) << "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 7 7 7\n"
+                          "f 1 2 3\nf 2 3 1\nf 1 2 4\nl 1 2\n";
+    const Said first = lab({"clean", bad, good});
+    CHECK(first.code == 0);
+    CHECK(contains(first.text,
+                   "a face comes once: face 1 dropped\n"
+                   "loose edge 0 joins vertices 0 and 1, but an edge of faces "
+                   "0 and 2 does so already: dropped\n"
+                   "face 2 turned over, to be wound as the others\n" +
+                       good + ": 3 changes, 5 vertices, 2 faces\n"));
+    CHECK(lab({"clean", good, good, "--fill", "4", "--drop-unused"}).text ==
+          "hole of 4 edges filled by a face: vertices 2, 1, 3 and 0\n"
+          "vertex 4 dropped: no face and no edge there\n" +
+              good + ": 2 changes, 4 vertices, 3 faces\n");
+    CHECK(contains(lab({"clean", good, good}).text, ": 0 changes, "));
+    check_usage_error({"clean", bad}, "out is required");
+    check_usage_error({"clean", bad, "mesh.xyz"},
+                      "expected .obj, .off or .ply");
+    check_usage_error({"clean", "none.obj", good}, "none.obj: cannot be read");
+    check_usage_error({"clean", bad, good, "--fill", "0"}, "fill");
+    check_usage_error({"demo", "vertex_star", "--mesh", bad},
+                      "(with --clean it is mended)");
+    check_usage_error({"demo", "vertex_star", "--clean"}, "--mesh");
 }
 
 TEST_CASE("list names every exercise once, below its chapter") {

@@ -5,11 +5,9 @@
 #include <cmath>
 #include <numeric>
 #include <random>
-#include <stdexcept>
 
 #include "course/mesh/generators.h"
-#include "course/mesh/obj.h"
-#include "course/mesh/off.h"
+#include "course/mesh/mesh_file.h"
 
 namespace bench {
 
@@ -72,12 +70,7 @@ Case made_mesh(const std::string& name, bool quick) {
 }
 
 Case mesh_of_file(const std::filesystem::path& file) {
-    if (file.extension() == ".obj")
-        return {file.stem().string(), course::read_obj(file)};
-    if (file.extension() == ".off")
-        return {file.stem().string(), course::read_off(file)};
-    throw std::invalid_argument(file.string() +
-                                ": expected a file .obj or .off");
+    return {file.stem().string(), course::read_mesh(file)};
 }
 
 }  // namespace bench

@@ -15,14 +15,14 @@
 #include "course/halfedge/validate.h"
 #include "course/runner/catch2.h"
 #include "course/tests/halfedge_random.h"
+#include "course/tests/mesh_counts.h"
 
 namespace course {
 
 namespace {
 
-std::size_t at(int i) {
-    return static_cast<std::size_t>(i);
-}
+using brute::at;
+using brute::rotated_faces;
 
 IndexedMesh mesh_of(int vertices, FaceList faces,
                     std::vector<std::array<int, 2>> loose = {}) {
@@ -38,20 +38,6 @@ std::vector<std::string> lines_of(const IndexedMesh& mesh) {
 }
 
 using Lines = std::vector<std::string>;
-
-std::vector<int> from_smallest(std::vector<int> corners) {
-    std::rotate(corners.begin(),
-                std::min_element(corners.begin(), corners.end()),
-                corners.end());
-    return corners;
-}
-
-std::vector<std::vector<int>> rotated_faces(const FaceList& faces) {
-    std::vector<std::vector<int>> rotated;
-    for (const auto face : faces)
-        rotated.push_back(from_smallest({face.begin(), face.end()}));
-    return rotated;
-}
 
 std::set<std::pair<int, int>> edges_of(
     const std::vector<std::array<int, 2>>& edges) {
@@ -191,18 +177,6 @@ std::set<Key> all_keys(const IndexedMesh& mesh) {
                 {DefectKind::loose_edge_equal_ends, {}, {a}, {e}, -1, -1});
     }
     return keys;
-}
-
-std::string text_of(const IndexedMesh& mesh) {
-    std::string text = std::to_string(mesh.vertex_count()) + " vertices";
-    for (const auto face : mesh.faces) {
-        text += " (";
-        for (const int v : face) text += " " + std::to_string(v);
-        text += " )";
-    }
-    for (const auto& [a, b] : mesh.loose_edges)
-        text += " " + std::to_string(a) + "-" + std::to_string(b);
-    return text;
 }
 
 // ---- fans by brute force: faces at v, joined when they share an edge there

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <random>
+#include <string>
 #include <vector>
 
 #include "course/mesh/indexed_mesh.h"
@@ -11,6 +12,19 @@
 namespace course {
 
 using Random = std::mt19937_64;
+
+/// A mesh as failed tests show it.
+inline std::string text_of(const IndexedMesh& mesh) {
+    std::string text = std::to_string(mesh.vertex_count()) + " vertices";
+    for (const auto face : mesh.faces) {
+        text += " (";
+        for (const int v : face) text += " " + std::to_string(v);
+        text += " )";
+    }
+    for (const auto& [a, b] : mesh.loose_edges)
+        text += " " + std::to_string(a) + "-" + std::to_string(b);
+    return text;
+}
 
 /// A number from 0 to n-1, the same everywhere.
 inline int below(int n, Random& random) {
@@ -58,6 +72,34 @@ inline IndexedMesh random_soup(Random& random) {
     for (int e = 0; e < loose; ++e)
         mesh.loose_edges.push_back({vertex(), vertex()});
     return mesh;
+}
+
+/// The same face, wound the other way.
+inline std::vector<int> turned(std::vector<int> corners) {
+    std::reverse(corners.begin() + 1, corners.end());
+    return corners;
+}
+
+/// Faces of a sound mesh turned over, repeated, mirrored, bent to other
+/// vertices or joined to a wall.
+inline IndexedMesh spoilt(const IndexedMesh& mesh, Random& random) {
+    IndexedMesh bad{mesh.positions, {}, mesh.loose_edges};
+    for (const auto face : mesh.faces) {
+        std::vector<int> corners(face.begin(), face.end());
+        const int what = below(40, random);
+        if (what == 0) bad.faces.push_back(corners);
+        if (what == 1) corners = turned(corners);
+        if (what == 2) bad.faces.push_back(turned(corners));
+        if (what == 3) corners[0] = below(mesh.vertex_count(), random);
+        if (what == 4)
+            bad.faces.push_back(
+                {corners[0], corners[1], below(mesh.vertex_count(), random)});
+        if (what == 5) corners.push_back(corners.front());
+        if (what == 6) corners.resize(2);
+        if (what == 7) corners[1] = mesh.vertex_count() + below(2, random);
+        bad.faces.push_back(corners);
+    }
+    return bad;
 }
 
 /// As random_soup, but each face and loose edge is kept only if the mesh stays

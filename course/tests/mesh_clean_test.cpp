@@ -16,11 +16,14 @@
 
 using namespace course;
 using brute::at;
+using brute::from_smallest;
+using brute::is_alike;
+using brute::is_sound;
+using brute::uses_of;
 
 namespace {
 
 using Texts = std::vector<std::string>;
-using Edge = std::pair<int, int>;
 
 /// Vertex v is at (v, 0, 0), so that copies are known by their place.
 IndexedMesh mesh_of(int vertices, FaceList faces,
@@ -42,24 +45,6 @@ Texts texts_of(const Cleaned& cleaned) {
     return texts;
 }
 
-std::string text_of(const IndexedMesh& mesh) {
-    std::string text = std::to_string(mesh.vertex_count()) + " vertices";
-    for (const auto face : mesh.faces) {
-        text += " (";
-        for (const int v : face) text += " " + std::to_string(v);
-        text += " )";
-    }
-    for (const auto& [a, b] : mesh.loose_edges)
-        text += " " + std::to_string(a) + "-" + std::to_string(b);
-    return text;
-}
-
-bool is_sound(const IndexedMesh& mesh, FaceList::Face face) {
-    const std::set<int> distinct(face.begin(), face.end());
-    return face.size() >= 3 && distinct.size() == face.size() &&
-           *distinct.begin() >= 0 && *distinct.rbegin() < mesh.vertex_count();
-}
-
 /// The sound faces only.
 IndexedMesh sound_part(const IndexedMesh& mesh) {
     IndexedMesh part = mesh_of(mesh.vertex_count(), {});
@@ -68,36 +53,12 @@ IndexedMesh sound_part(const IndexedMesh& mesh) {
     return part;
 }
 
-/// The faces of each edge, and whether they run along it upwards.
-std::map<Edge, std::map<int, bool>> uses_of(const IndexedMesh& mesh) {
-    std::map<Edge, std::map<int, bool>> uses;
-    for (int f = 0; f < mesh.faces.size(); ++f)
-        for (std::size_t k = 0; k < mesh.faces[f].size(); ++k) {
-            const int a = mesh.faces[f][k];
-            const int b = mesh.faces[f][(k + 1) % mesh.faces[f].size()];
-            uses[std::minmax(a, b)][f] = a < b;
-        }
-    return uses;
-}
-
-bool is_alike(const std::map<int, bool>& two) {
-    return two.begin()->second == two.rbegin()->second;
-}
-
 /// What a face was before vertices got copies, from its smallest vertex.
 std::vector<int> origin_of(const IndexedMesh& mesh, FaceList::Face face) {
     std::vector<int> corners;
     for (const int v : face)
         corners.push_back(static_cast<int>(mesh.positions[at(v)].x));
-    std::rotate(corners.begin(),
-                std::min_element(corners.begin(), corners.end()),
-                corners.end());
-    return corners;
-}
-
-std::vector<int> turned(std::vector<int> corners) {
-    std::reverse(corners.begin() + 1, corners.end());
-    return corners;
+    return from_smallest(corners);
 }
 
 /// Fewest faces to turn so that all edges with two faces are sound; -1: none.
@@ -186,26 +147,6 @@ IndexedMesh random_ring(Random& random) {
     }
     if (below(3, random) == 0) mesh.faces.push_back({0, n, 2 * n});
     return mesh;
-}
-
-/// Faces of a sound mesh turned over, repeated, mirrored, bent to other
-/// vertices or joined to a wall.
-IndexedMesh spoilt(const IndexedMesh& mesh, Random& random) {
-    IndexedMesh bad = mesh_of(mesh.vertex_count(), {});
-    for (const auto face : mesh.faces) {
-        std::vector<int> corners(face.begin(), face.end());
-        const int what = below(40, random);
-        if (what == 0) bad.faces.push_back(corners);
-        if (what == 1) corners = turned(corners);
-        if (what == 2) bad.faces.push_back(turned(corners));
-        if (what == 3) corners[0] = below(mesh.vertex_count(), random);
-        if (what == 4)
-            bad.faces.push_back(
-                {corners[0], corners[1], below(mesh.vertex_count(), random)});
-        if (what == 5) corners.push_back(corners.front());
-        bad.faces.push_back(corners);
-    }
-    return bad;
 }
 
 }  // namespace
@@ -490,7 +431,8 @@ TEST_CASE("large meshes with every kind of flaw have tables when cleaned") {
     options.surface = Surface::mixed;
     options.bow_ties = BowTies::allowed;
     for (std::uint64_t seed = 0; seed < 20; ++seed) {
-        const IndexedMesh mesh = spoilt(random_polygons(seed, options), random);
+        const IndexedMesh mesh =
+            placed(spoilt(random_polygons(seed, options), random));
         INFO("seed " << seed);
         REQUIRE_FALSE(defects(mesh).empty());
         const Cleaned cleaned = clean(mesh);

@@ -29,6 +29,48 @@ inline std::map<std::pair<int, int>, int> edges_of(const IndexedMesh& mesh) {
     return edges;
 }
 
+/// The faces of each edge, and whether they run along it upwards. Right where
+/// no face comes to a vertex twice.
+inline std::map<std::pair<int, int>, std::map<int, bool>> uses_of(
+    const IndexedMesh& mesh) {
+    std::map<std::pair<int, int>, std::map<int, bool>> uses;
+    for (int f = 0; f < mesh.faces.size(); ++f)
+        for (std::size_t k = 0; k < mesh.faces[f].size(); ++k) {
+            const int a = mesh.faces[f][k];
+            const int b = mesh.faces[f][(k + 1) % mesh.faces[f].size()];
+            uses[std::minmax(a, b)][f] = a < b;
+        }
+    return uses;
+}
+
+/// Whether the two faces of an edge run along it in the same direction.
+inline bool is_alike(const std::map<int, bool>& two) {
+    return two.begin()->second == two.rbegin()->second;
+}
+
+/// Whether the face has three corners or more, all different and vertices.
+inline bool is_sound(const IndexedMesh& mesh, FaceList::Face face) {
+    const std::set<int> distinct(face.begin(), face.end());
+    return face.size() >= 3 && distinct.size() == face.size() &&
+           *distinct.begin() >= 0 && *distinct.rbegin() < mesh.vertex_count();
+}
+
+/// The corners in order, from the smallest.
+inline std::vector<int> from_smallest(FaceList::Face face) {
+    std::vector<int> corners(face.begin(), face.end());
+    std::rotate(corners.begin(),
+                std::min_element(corners.begin(), corners.end()),
+                corners.end());
+    return corners;
+}
+
+/// All faces, each from its smallest corner.
+inline std::vector<std::vector<int>> rotated_faces(const FaceList& faces) {
+    std::vector<std::vector<int>> rotated;
+    for (const auto face : faces) rotated.push_back(from_smallest(face));
+    return rotated;
+}
+
 /// Sets of vertices that edges connect; vertices without an edge do not count.
 inline std::vector<std::set<int>> components_of(const IndexedMesh& mesh) {
     std::vector<int> parent(mesh.positions.size());

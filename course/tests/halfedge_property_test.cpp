@@ -262,20 +262,20 @@ std::map<DefectKind, int> flaws_of(const IndexedMesh& mesh) {
 
 // ---- comparing
 
-/// Each row's vertex, face and next, but for the order of borders.
-void require_rows(const HalfEdgeTable& he, const Sides& sides) {
+/// The first half-edge whose vertex, face or next is not as the faces say; -1:
+/// none. What is left open is which border half-edge comes after another.
+int wrong_row(const HalfEdgeTable& he, const Sides& sides) {
     std::set<std::pair<int, int>> met;
     for (int i = 0; i < he.size(); ++i) {
-        const int to = he[he[i].opp].vi;
-        REQUIRE(met.insert({he[i].vi, to}).second);
-        const auto side = sides.find({he[i].vi, to});
-        REQUIRE(he[i].fi == (side == sides.end() ? -1 : side->second.face));
-        const int next = he[i].next;
-        REQUIRE(he[next].vi == to);
-        REQUIRE(he[next].fi == he[i].fi);
-        if (side != sides.end())
-            REQUIRE(he[he[next].opp].vi == side->second.after);
+        const auto& [v, f, next, opp] = he.rows()[at(i)];
+        const int to = he[opp].vi;
+        if (!met.insert({v, to}).second) return i;
+        if (he[next].vi != to || he[next].fi != f) return i;
+        const auto side = sides.find({v, to});
+        if (f != (side == sides.end() ? -1 : side->second.face)) return i;
+        if (f != -1 && he[he[next].opp].vi != side->second.after) return i;
     }
+    return -1;
 }
 
 std::map<int, int> stars_of(const HalfEdgeTable& he) {
@@ -294,7 +294,7 @@ void require_table_of(const IndexedMesh& mesh, const HalfEdgeTable& he) {
     const Sides sides = sides_of(mesh);
     REQUIRE(validate(he).empty());
     REQUIRE(at(he.size()) == 2 * brute::edges_of(mesh).size());
-    require_rows(he, sides);
+    REQUIRE(wrong_row(he, sides) == -1);
     std::map<int, int> stars;
     for (const auto& [v, neighbours] : neighbours_of(mesh))
         stars[v] = stars_at(v, neighbours, sides);
@@ -339,7 +339,7 @@ int relinked(HalfEdgeTable& he, Random& random) {
 
 TEST_CASE("tables of thousands of meshes are what their faces say") {
     std::map<std::string, int> met;
-    for (std::uint64_t seed = 0; seed < 3000; ++seed) {
+    for (std::uint64_t seed = 0; seed < 2000; ++seed) {
         INFO("seed " << seed);
         Random random(seed);
         const IndexedMesh mesh = anything(random);
@@ -352,7 +352,7 @@ TEST_CASE("tables of thousands of meshes are what their faces say") {
     CHECK(met.size() == 8);
     for (const auto& [what, n] : met) {
         INFO(what);
-        CHECK(n > 50);
+        CHECK(n > 30);
     }
 }
 
@@ -373,22 +373,22 @@ TEST_CASE("closed surfaces have the genus with which they were made") {
 
 TEST_CASE("bow-ties are sound in all their linkings") {
     int swaps = 0;
-    for (std::uint64_t seed = 0; seed < 1000; ++seed) {
+    for (std::uint64_t seed = 0; seed < 500; ++seed) {
         INFO("seed " << seed);
         Random random(seed);
         const IndexedMesh mesh = anything(random);
         HalfEdgeTable he = build(mesh);
         swaps += relinked(he, random);
         REQUIRE(validate(he).empty());
-        require_rows(he, sides_of(mesh));
+        REQUIRE(wrong_row(he, sides_of(mesh)) == -1);
         REQUIRE(rotated_faces(to_faces(he)) == rotated_faces(mesh.faces));
         REQUIRE(edges_of(loose_edges(he)) == edges_of(mesh.loose_edges));
     }
-    CHECK(swaps > 1000);
+    CHECK(swaps > 500);
 }
 
 TEST_CASE("a table built from its own faces has the same edges and faces") {
-    for (std::uint64_t seed = 0; seed < 500; ++seed) {
+    for (std::uint64_t seed = 0; seed < 300; ++seed) {
         INFO("seed " << seed);
         Random random(seed);
         IndexedMesh mesh = anything(random);
@@ -401,7 +401,7 @@ TEST_CASE("a table built from its own faces has the same edges and faces") {
 
 TEST_CASE("flaws in large meshes are counted as their faces say") {
     std::map<DefectKind, int> met;
-    for (std::uint64_t seed = 0; seed < 1500; ++seed) {
+    for (std::uint64_t seed = 0; seed < 800; ++seed) {
         INFO("seed " << seed);
         Random random(seed);
         IndexedMesh mesh = anything(random);

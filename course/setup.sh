@@ -10,11 +10,12 @@ student_brew="cmake ninja pkg-config catch2 fmt tinyobjloader cli11"
 
 grader_debian="libsqlitecpp-dev libsqlite3-dev nlohmann-json3-dev \
 libtomlplusplus-dev libssl-dev libseccomp-dev libarchive-dev \
-libhowardhinnant-date-dev tzdata bubblewrap"
+libhowardhinnant-date-dev libyaml-cpp-dev tzdata bubblewrap"
 grader_fedora="sqlitecpp-devel sqlite-devel json-devel tomlplusplus-devel \
-openssl-devel libseccomp-devel libarchive-devel date-devel tzdata bubblewrap"
+openssl-devel libseccomp-devel libarchive-devel date-devel yaml-cpp-devel \
+tzdata bubblewrap"
 grader_arch="sqlitecpp sqlite nlohmann-json tomlplusplus openssl libseccomp \
-libarchive chrono-date tzdata bubblewrap"
+libarchive chrono-date yaml-cpp tzdata bubblewrap"
 
 # Packages of the list that dpkg does not know as installed.
 missing_debian() {

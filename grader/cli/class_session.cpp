@@ -11,6 +11,7 @@
 #include <chrono>
 #include <csignal>
 #include <cstdio>
+#include <map>
 #include <optional>
 #include <set>
 #include <string_view>
@@ -99,19 +100,30 @@ std::optional<Assignment> assignment_of(const ClassOptions& options) {
     }
 }
 
+/// By what --platform calls them.
+const std::map<std::string, Platform> platforms = {
+    {"plain", Platform::plain},           {"moodle", Platform::moodle},
+    {"canvas", Platform::canvas},         {"github", Platform::github},
+    {"gradescope", Platform::gradescope},
+};
+
+std::optional<Platform> platform_of(const ClassOptions& options) {
+    if (options.platform.empty()) return std::nullopt;
+    return platforms.at(options.platform);
+}
+
 SubmittedClass submissions_of(const ClassOptions& options,
                               const std::vector<course::Exercise>& exercises) {
     std::vector<std::string> files;
     for (const course::Exercise& exercise : exercises)
         files.push_back(exercise.file_name());
     try {
-        SubmittedClass found = find_submissions(options.dir, files);
-        const auto is_meant = [&](const Submission& s) {
-            return s.id == options.only || s.student == options.only;
-        };
+        SubmittedClass found =
+            find_submissions(options.dir, files, {}, platform_of(options));
         if (!options.only.empty() &&
-            std::none_of(found.submissions.begin(), found.submissions.end(),
-                         is_meant))
+            std::none_of(
+                found.submissions.begin(), found.submissions.end(),
+                [&](const Submission& s) { return is_named(s, options.only); }))
             throw CannotBegin(
                 fmt::format("{} has no folder or archive of \"{}\"",
                             options.dir.string(), options.only));
@@ -203,7 +215,11 @@ void ClassOptions::add_to(CLI::App& app) {
                    "the chapters of which somebody handed in a file)");
     app.add_option("--only", only,
                    "judge only this student (name of the folder or archive, "
-                   "or id)");
+                   "id, or name or number on the platform)");
+    app.add_option("--platform", platform,
+                   "whose export this is (default: told by its names): "
+                   "moodle, canvas, gradescope, github or plain")
+        ->check(CLI::IsMember(platforms));
     judging.add_to(app);
     executor.add_to(app);
 }

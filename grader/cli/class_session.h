@@ -18,6 +18,7 @@ struct ClassOptions {
     std::filesystem::path out;
     std::filesystem::path assignment;
     std::string only;
+    std::string platform;  ///< empty: recognised
     JudgingOptions judging;
     ExecutorOptions executor;
 

@@ -62,6 +62,7 @@ Listing names_in(int folder, std::size_t most) {
         close(copy);
         return listing;
     }
+    rewinddir(stream.get());  // the copy shares the place in the folder
     while (const dirent* entry = readdir(stream.get())) {
         const std::string name = entry->d_name;
         if (name == "." || name == "..") continue;

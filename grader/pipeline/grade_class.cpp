@@ -127,8 +127,7 @@ void Grading::look_at(const Place& place) {
 }
 
 bool Grading::is_meant(const Submission& submission) const {
-    return run_.only.empty() || run_.only == submission.id ||
-           run_.only == submission.student;
+    return run_.only.empty() || is_named(submission, run_.only);
 }
 
 void Grading::look_at(std::uint32_t student) {

@@ -16,7 +16,7 @@ namespace grader {
 struct ClassRun {
     std::vector<course::Exercise> exercises;  ///< those of the assignment
     SubmittedClass submitted;
-    std::string only;  ///< id or folder name of one student, or empty
+    std::string only;  ///< one student, see is_named; or empty
     Judging judging;
     int jobs = 1;
     std::string isolation;  ///< in words

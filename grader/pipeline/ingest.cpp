@@ -15,6 +15,7 @@
 
 #include "grader/pipeline/archive_paths.h"
 #include "grader/pipeline/collector.h"
+#include "grader/pipeline/export_people.h"
 #include "grader/pipeline/safe_id.h"
 #include "grader/pipeline/submitted_names.h"
 #include "grader/pipeline/walk.h"
@@ -52,9 +53,41 @@ struct Reading {
     const IngestLimits& limits;
     Spool& spool;
     ClassNotes notes;
+    std::optional<Platform> wanted;
+    std::string root;     ///< see ExportSurvey
+    ExportLayout layout;  ///< empty for plain folders
 
     Collector collector_of(const std::string& student) {
         return {student, file_names, limits, spool};
+    }
+
+    bool is_plain() const { return layout.platform == Platform::plain; }
+
+    void take(const ExportSurvey& survey) {
+        if (survey.platform == Platform::plain) return;
+        root = survey.root;
+        layout = export_layout(survey.platform, survey.entries, file_names);
+        add_people(survey, layout);
+        notes.add(fmt::format(
+            "recognised as an export of {}, with {} submissions (another "
+            "platform can be given with --platform)",
+            words(layout.platform), layout.participants.size()));
+        for (std::string& text : layout.notes) notes.add(std::move(text));
+    }
+
+    /// The submission that the collector has, with what the layout knows.
+    Submission finish(const std::string& student, Collector& collector) {
+        const auto known = layout.participants.find(student);
+        if (known == layout.participants.end()) return collector.finish();
+        Participant& one = known->second;
+        for (std::string& text : one.notes) collector.note(std::move(text));
+        Submission done = collector.finish();
+        done.person = one.person;
+        done.key = one.key;
+        done.marked_late = one.marked_late;
+        done.members = std::move(one.members);
+        done.submitted_at = one.submitted_at;
+        return done;
     }
 };
 
@@ -103,6 +136,15 @@ void look_at_student(int dir, const std::string& student,
                             std::strerror(errno)));
 }
 
+/// The folder or the file `entry`, which is the student's at `path`.
+void look_at_entry(int dir, const std::string& entry, const std::string& path,
+                   const IngestLimits& limits, Collector& to) {
+    if (path.empty())
+        look_at_student(dir, entry, entry + "/", limits, to);
+    else
+        look_at_file(dir, entry, path, limits, to);
+}
+
 /// One student after the other: no more than one is in memory.
 std::vector<Submission> read_class_folder(int dir, Reading& reading) {
     std::vector<Submission> all;
@@ -122,7 +164,31 @@ std::vector<Submission> read_class_folder(int dir, Reading& reading) {
     return all;
 }
 
+/// The same for the export of a platform.
+std::vector<Submission> read_export_folder(int dir, Reading& reading) {
+    std::vector<Submission> all;
+    const Descriptor root = open_below(dir, reading.root);
+    for (const auto& [student, one] : reading.layout.participants) {
+        Collector collector = reading.collector_of(student);
+        for (const auto& [entry, path] : one.entries)
+            look_at_entry(root.get(), entry, path, reading.limits, collector);
+        all.push_back(reading.finish(student, collector));
+    }
+    return all;
+}
+
 // ---- an archive of a class
+
+/// "anna" and "week1/prev.cpp" of "anna/week1/prev.cpp".
+struct StudentPath {
+    std::string student, rest;
+};
+
+StudentPath split(std::string_view path) {
+    const std::size_t slash = std::min(path.find('/'), path.size());
+    return {std::string(path.substr(0, slash)),
+            std::string(path.substr(std::min(slash + 1, path.size())))};
+}
 
 /// The students of a class, by what they have in its archive.
 class ClassCollector {
@@ -144,10 +210,24 @@ public:
     std::vector<Submission> finish() {
         for (auto& [file_name, collector] : archives_)
             take_archive(file_name, std::move(collector));
+        for (const auto& [student, one] : reading_.layout.participants)
+            folder(student);
         std::vector<Submission> all;
         for (auto& [student, collector] : folders_)
-            all.push_back(collector.finish());
+            all.push_back(reading_.finish(student, collector));
         return all;
+    }
+
+    /// Whose file that is; of a plain class the first folder's.
+    StudentPath owner_of(std::string_view path) const {
+        const std::string& root = reading_.root;
+        if (reading_.is_plain()) return split(path);
+        if (!root.empty()) {
+            if (!path.starts_with(root + "/")) return {};
+            path.remove_prefix(root.size() + 1);
+        }
+        const auto place = reading_.layout.place_of(path);
+        return place ? StudentPath{place->student, place->path} : StudentPath();
     }
 
 private:
@@ -183,17 +263,6 @@ private:
     std::map<std::string, std::string> from_;  ///< archive taken of a student
 };
 
-/// "anna" and "week1/prev.cpp" of "anna/week1/prev.cpp".
-struct StudentPath {
-    std::string student, rest;
-};
-
-StudentPath split(std::string_view path) {
-    const std::size_t slash = std::min(path.find('/'), path.size());
-    return {std::string(path.substr(0, slash)),
-            std::string(path.substr(std::min(slash + 1, path.size())))};
-}
-
 /// Hands the entries of a class's archive to its students.
 class ClassArchive {
 public:
@@ -202,8 +271,8 @@ public:
 
     /// How much is wanted of the file of that path.
     std::optional<std::size_t> most_bytes(std::string_view path) const {
-        const auto [student, rest] = split(path);
-        if (is_left_behind(student)) return std::nullopt;
+        const auto [student, rest] = to_.owner_of(path);
+        if (student.empty() || is_left_behind(student)) return std::nullopt;
         if (rest.empty())
             return archive_format(student)
                        ? std::optional(limits_.archive_bytes)
@@ -216,9 +285,11 @@ public:
     }
 
     void take(ArchiveEntry entry) {
-        const auto [student, rest] = split(entry.path);
+        const auto [student, rest] = to_.owner_of(entry.path);
         if (entry.kind == ArchiveEntry::Kind::refused)
             take_refused(entry, student, rest);
+        else if (student.empty())
+            return;  // the folder of the class, or what was noted already
         else if (is_left_behind(student))
             to_.notes().ignore(student);
         else if (entry.kind == ArchiveEntry::Kind::folder)
@@ -250,7 +321,6 @@ private:
     }
 
     void take_folder(const std::string& student, const std::string& rest) {
-        if (student.empty()) return;  // the folder of the class
         Collector& collector = to_.folder(student);
         if (!rest.empty() && collector.enters(rest))
             has_room(student, collector);
@@ -310,6 +380,8 @@ std::vector<Submission> read_class_archive(const std::filesystem::path& path,
     ClassCollector students(reading);
     ClassArchive archive(reading, students);
     try {
+        reading.take(survey_archive(file, *format, limits, seconds_for_a_class,
+                                    reading.wanted));
         read_archive_confined(
             file, *format,
             {limits.class_entries, limits.class_bytes,
@@ -354,22 +426,33 @@ void sort_by_id(std::vector<Submission>& submissions) {
 
 }  // namespace
 
+bool is_named(const Submission& submission, std::string_view name) {
+    return !name.empty() &&
+           (name == submission.id || name == submission.student ||
+            name == submission.person || name == submission.key);
+}
+
 SubmittedClass find_submissions(const std::filesystem::path& dir,
                                 const std::vector<std::string>& file_names,
-                                const IngestLimits& limits) {
+                                const IngestLimits& limits,
+                                std::optional<Platform> platform) {
     const Descriptor file = open_class(dir);
     const mode_t type = type_of(file.get());
     auto spool = std::make_unique<Spool>();
-    Reading reading{file_names, limits, *spool, {}};
+    Reading reading{file_names, limits, *spool, {}, platform, {}, {}};
     SubmittedClass all;
-    if (S_ISDIR(type))
-        all.submissions = read_class_folder(file.get(), reading);
-    else if (S_ISREG(type))
+    if (S_ISDIR(type)) {
+        reading.take(survey_folder(file.get(), platform));
+        all.submissions = reading.is_plain()
+                              ? read_class_folder(file.get(), reading)
+                              : read_export_folder(file.get(), reading);
+    } else if (S_ISREG(type))
         all.submissions = read_class_archive(dir, file.get(), reading);
     else
         throw IngestError(dir.string() +
                           ": is neither a folder nor a regular file");
     sort_by_id(all.submissions);
+    all.platform = reading.layout.platform;
     all.notes = reading.notes.take();
     all.spool = std::move(spool);
     return all;

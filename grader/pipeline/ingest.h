@@ -9,8 +9,12 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "grader/gradebook/member.h"
+#include "grader/pipeline/lateness.h"
+#include "grader/pipeline/platform_names.h"
 #include "grader/pipeline/spool.h"
 
 namespace grader {
@@ -43,14 +47,24 @@ struct IngestLimits {
 
 /// What one student handed in.
 struct Submission {
-    std::string student;  ///< name of the folder or archive: any bytes
-    std::string id;       ///< safe in file names, unique in the class
+    /// Name of the folder or archive; of a platform's export the name and
+    /// number ("Anna Rossi_1234"), the same in each of its layouts. Any bytes.
+    std::string student;
+    std::string id;  ///< safe in file names, unique in the class
     /// In the order of the names that were asked for; none: not handed in.
     std::vector<std::optional<Stored>> files;
     std::vector<std::string> notes;  ///< what was ignored or refused, and why
+    std::string person, key;         ///< see PlatformName; empty: not known
+    std::vector<Member> members;     ///< of a team, where the export says them
+    bool marked_late = false;        ///< by the platform
+    std::optional<Instant> submitted_at;  ///< where it is known
 };
 
+/// Whether that is the submission's id, folder, person or number.
+bool is_named(const Submission& submission, std::string_view name);
+
 struct SubmittedClass {
+    Platform platform = Platform::plain;
     std::vector<Submission> submissions;  ///< ordered by id
     std::vector<std::string> notes;       ///< about the folder of the class
     std::unique_ptr<const Spool> spool;   ///< has the bytes of all files
@@ -81,8 +95,13 @@ struct SubmittedClass {
 /// time. Preconditions: no other thread runs, and the names differ. Throws
 /// IngestError, and course::SystemError when an archive's process cannot be
 /// started or the files do not fit on the disk.
+///
+/// The export of a platform (see export_layout.h) is recognised by its names,
+/// also where all of it lies in one folder; a note says which. `platform` takes
+/// the export for one of that.
 SubmittedClass find_submissions(const std::filesystem::path& dir,
                                 const std::vector<std::string>& file_names,
-                                const IngestLimits& limits = {});
+                                const IngestLimits& limits = {},
+                                std::optional<Platform> platform = {});
 
 }  // namespace grader

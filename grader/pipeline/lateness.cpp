@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <regex>
 #include <sstream>
 
 namespace grader {
@@ -64,6 +65,26 @@ Instant instant_of(const std::string& local, const std::string& zone) {
 
 Instant instant_of(const std::string& utc) {
     return parsed<date::sys_seconds>(utc, "%FT%TZ");
+}
+
+Instant instant_in(const std::string& text, const std::string& zone) {
+    static const std::regex form(
+        R"((\d{4}-\d\d-\d\d)[T ](\d\d:\d\d)(:\d\d)?(?:\.\d{1,12})?)"
+        R"( ?(?:(Z|UTC)|([+-])(\d\d):?(\d\d))?)");
+    std::smatch part;
+    if (text.size() > 60 || !std::regex_match(text, part, form))
+        throw TimeError(
+            fmt::format("'{}' is not a time; expected one such as "
+                        "2026-12-11T23:59:00+01:00",
+                        text));
+    const std::string local = part.str(1) + "T" + part.str(2) +
+                              (part[3].matched ? part.str(3) : ":00");
+    if (part[4].matched) return instant_of(local + "Z");
+    if (!part[5].matched) return instant_of(local, zone);
+    const std::chrono::minutes offset(60 * std::stoi(part.str(6)) +
+                                      std::stoi(part.str(7)));
+    const Instant shown = instant_of(local + "Z");
+    return part.str(5) == "-" ? shown + offset : shown - offset;
 }
 
 std::string text_of(Instant instant) {

@@ -26,6 +26,11 @@ Instant instant_of(const std::string& local, const std::string& zone);
 Instant instant_of(const std::string& utc);
 std::string text_of(Instant instant);
 
+/// Any of "2026-12-11T22:59:00Z", "2026-12-11 23:59:00.123 +0100",
+/// "2026-12-11T23:59+01:00", or without an offset by the clocks of the zone.
+/// Parts of a second are dropped. Throws TimeError.
+Instant instant_in(const std::string& text, const std::string& zone);
+
 /// What happens to work that comes after the due date.
 struct LatePolicy {
     enum class Kind {

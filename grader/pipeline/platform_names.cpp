@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <utility>
 
 namespace grader {
 
@@ -44,12 +43,11 @@ bool equal_in_small(std::string_view a, std::string_view b) {
 // ---- Moodle
 
 /// What follows "assignsubmission_": "file", "file_prev.cpp", "onlinetext_".
-/// Nothing where it is not so.
-std::optional<std::string> file_after_kind(std::string_view rest) {
-    if (take_while(rest, is_letter).empty()) return std::nullopt;
-    if (rest.empty()) return "";
-    if (!take(rest, "_")) return std::nullopt;
-    return std::string(rest);
+bool take_kind(std::string_view rest, PlatformName& name) {
+    name.kind = take_while(rest, is_letter);
+    if (name.kind.empty() || (!rest.empty() && !take(rest, "_"))) return false;
+    name.file = rest;
+    return true;
 }
 
 /// The name whose person ends before that underscore.
@@ -59,10 +57,8 @@ std::optional<PlatformName> moodle_at(std::string_view entry,
     std::string_view rest = entry.substr(underscore + 1);
     name.key = take_while(rest, is_digit);
     if (!name.key.empty() && !take(rest, "_")) return std::nullopt;
-    if (!take(rest, "assignsubmission_")) return std::nullopt;
-    auto file = file_after_kind(rest);
-    if (!file) return std::nullopt;
-    name.file = std::move(*file);
+    if (!take(rest, "assignsubmission_") || !take_kind(rest, name))
+        return std::nullopt;
     name.person = entry.substr(0, underscore);
     // The worksheet calls them so; alone the word would be everybody's name.
     if (name.person == "Participant" && !name.key.empty())

@@ -28,6 +28,8 @@ struct PlatformName {
     std::string file = {};
     /// Canvas: the number of the upload, larger for later ones.
     std::string upload = {};
+    /// Moodle: "file", "onlinetext" or another way of handing in.
+    std::string kind = {};
 
     friend bool operator==(const PlatformName&, const PlatformName&) = default;
 };

@@ -123,8 +123,9 @@ void walk_folder(int root, const IngestLimits& limits, Collector& to) {
 
 void look_at_file(int folder, const std::string& name, const std::string& path,
                   const IngestLimits& limits, Collector& to) {
-    const auto format = opened_as(name, to);
-    if (to.wants(name)) {
+    const std::string_view own_name = name_in(path);
+    const auto format = opened_as(own_name, to);
+    if (to.wants(own_name)) {
         to.offer(path,
                  [&] { return read_file(folder, name, limits.file_bytes); });
     } else if (format && to.enters(path)) {

@@ -13,7 +13,8 @@ namespace grader {
 /// Walks through the folder `root` of a student, least deep folders first.
 void walk_folder(int root, const IngestLimits& limits, Collector& to);
 
-/// Looks at the file `name` in `folder`; its path in the submission is `path`.
+/// Looks at the file `name` in `folder`; its path in the submission is `path`,
+/// which has the name that the student gave it.
 void look_at_file(int folder, const std::string& name, const std::string& path,
                   const IngestLimits& limits, Collector& to);
 

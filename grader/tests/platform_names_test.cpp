@@ -1,6 +1,8 @@
 // Names in the exports of Moodle, Canvas and Gradescope.
 #include "grader/pipeline/platform_names.h"
 
+#include <string_view>
+
 #include "course/runner/catch2.h"
 
 using namespace grader;
@@ -12,7 +14,12 @@ TEST_CASE("Moodle's folders have a name and its number") {
         CAPTURE(entry);
         const auto name = parse_moodle(entry);
         REQUIRE(name);
-        CHECK(*name == PlatformName{"Anna Rossi", "1234", false, "", ""});
+        CHECK(name->person == "Anna Rossi");
+        CHECK(name->key == "1234");
+        CHECK(name->file.empty());
+        CHECK(name->kind == (std::string_view(entry).ends_with("text")
+                                 ? "onlinetext"
+                                 : "file"));
     }
 }
 
@@ -21,7 +28,7 @@ TEST_CASE("Moodle's files without folders have the student's file name") {
         "Anna Rossi_1234_assignsubmission_file_my_99_assignsubmission_file_x");
     REQUIRE(name);
     CHECK(*name == PlatformName{"Anna Rossi", "1234", false,
-                                "my_99_assignsubmission_file_x", ""});
+                                "my_99_assignsubmission_file_x", "", "file"});
 }
 
 TEST_CASE("Moodle's hidden names are told apart by their number") {
@@ -66,7 +73,7 @@ TEST_CASE("Canvas's hidden names have an id that is no number") {
 
 TEST_CASE("Gradescope's folders have the number of the submission") {
     CHECK(parse_gradescope("submission_123456") ==
-          PlatformName{"", "123456", false, "", ""});
+          PlatformName{"", "123456", false, ""});
     CHECK_FALSE(parse_gradescope("submission_"));
     CHECK_FALSE(parse_gradescope("submission_12a"));
     CHECK_FALSE(parse_gradescope("submission_12/a"));

@@ -43,6 +43,8 @@ struct Assignment {
     HiddenFeedback hidden_feedback = {};
     std::optional<DueDate> due = {};
     double rounding = 0;  ///< totals are multiples of it; 0: not rounded
+    LatePolicy late = {};
+    bool in_teams = false;  ///< a submission is that of several students
 
     friend bool operator==(const Assignment&, const Assignment&) = default;
 };

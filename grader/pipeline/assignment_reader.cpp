@@ -26,6 +26,12 @@ constexpr std::array<Named<FeedbackLevel>, 3> levels = {{
     {"full", FeedbackLevel::full},
 }};
 
+constexpr std::array<Named<LatePolicy::Kind>, 3> policies = {{
+    {"none", LatePolicy::Kind::none},
+    {"percent_per_day", LatePolicy::Kind::percent_per_day},
+    {"refuse", LatePolicy::Kind::refuse},
+}};
+
 /// "the text 'soon'", "a table": what stands where something else should.
 std::string found(const toml::node& node) {
     if (const auto* text = node.as_string())
@@ -56,19 +62,29 @@ auto find_named(const List& list, std::string_view name) {
 
 }  // namespace
 
-const std::array<AssignmentReader::Key, 7> AssignmentReader::keys = {{
+const std::array<AssignmentReader::Key, 9> AssignmentReader::keys = {{
     {"name", &AssignmentReader::read_name},
     {"exercises", &AssignmentReader::read_exercises},
     {"bonus", &AssignmentReader::read_bonus},
     {"hidden_feedback", &AssignmentReader::read_feedback},
     {"due", &AssignmentReader::read_due},
     {"time_zone", &AssignmentReader::read_time_zone},
+    {"late", &AssignmentReader::read_late},
     {"rounding", &AssignmentReader::read_rounding},
+    {"teams", &AssignmentReader::read_teams},
 }};
 
 const std::array<AssignmentReader::Key, 2> AssignmentReader::feedback_keys = {{
     {"before_due", &AssignmentReader::read_before_due},
     {"after_due", &AssignmentReader::read_after_due},
+}};
+
+const std::array<AssignmentReader::Key, 5> AssignmentReader::late_keys = {{
+    {"policy", &AssignmentReader::read_policy},
+    {"percent_per_day", &AssignmentReader::read_percent},
+    {"grace_minutes", &AssignmentReader::read_grace},
+    {"free_days", &AssignmentReader::read_free_days},
+    {"last_day", &AssignmentReader::read_last_day},
 }};
 
 void AssignmentReader::read(const toml::table& file) {
@@ -78,6 +94,7 @@ void AssignmentReader::read(const toml::table& file) {
               "no table [exercises] was found; expected one with a line such "
               "as face_sides = 1 for each exercise");
     set_due();
+    check_late(file);
     sort();
 }
 
@@ -131,6 +148,16 @@ std::optional<double> AssignmentReader::number(const toml::node& node,
     if (value && *value > above && *value <= most) return value;
     wrong(node, name,
           fmt::format("a number above {} and at most {}", above, most));
+    return std::nullopt;
+}
+
+std::optional<int> AssignmentReader::count(const toml::node& node,
+                                           std::string_view name, int least,
+                                           int most) {
+    const auto* value = node.as_integer();
+    if (value != nullptr && value->get() >= least && value->get() <= most)
+        return static_cast<int>(value->get());
+    wrong(node, name, fmt::format("a whole number from {} to {}", least, most));
     return std::nullopt;
 }
 
@@ -247,10 +274,72 @@ void AssignmentReader::set_due() {
     }
 }
 
+// ---- late work
+
+void AssignmentReader::read_late(const toml::node& value) {
+    if (const auto* table = value.as_table())
+        read_keys(*table, " of [late]", late_keys);
+    else
+        wrong(value, "late", "a table [late] with its policy");
+}
+
+void AssignmentReader::read_policy(const toml::node& value) {
+    if (const auto kind = choice(value, "policy", policies))
+        assignment.late.kind = *kind;
+}
+
+void AssignmentReader::read_percent(const toml::node& value) {
+    assignment.late.percent_per_day =
+        number(value, "percent_per_day", 0, 100).value_or(0);
+}
+
+void AssignmentReader::read_grace(const toml::node& value) {
+    assignment.late.grace_minutes =
+        count(value, "grace_minutes", 0, 1440).value_or(0);
+}
+
+void AssignmentReader::read_free_days(const toml::node& value) {
+    assignment.late.free_days = count(value, "free_days", 0, 365).value_or(0);
+}
+
+void AssignmentReader::read_last_day(const toml::node& value) {
+    assignment.late.last_day = count(value, "last_day", 1, 365);
+}
+
+/// What only together makes sense.
+void AssignmentReader::check_late(const toml::table& file) {
+    const toml::node* late = file.get("late");
+    if (late == nullptr || !late->is_table()) return;
+    const toml::source_position at = late->source().begin;
+    if (file.get("due") == nullptr)
+        wrong(at,
+              "[late] stands without a due date; expected due = and a "
+              "date and time above it");
+    const toml::table& table = *late->as_table();
+    if (table.get("policy") == nullptr)
+        wrong(at,
+              "[late] has no policy; expected one of none, "
+              "percent_per_day, refuse");
+    const bool by_day =
+        assignment.late.kind == LatePolicy::Kind::percent_per_day;
+    if (by_day != (table.get("percent_per_day") != nullptr))
+        wrong(at, by_day ? "[late] has no percent_per_day; expected how many "
+                           "percent a day takes off"
+                         : "[late] has percent_per_day; expected it with "
+                           "policy = \"percent_per_day\" only");
+}
+
 // ---- totals
 
 void AssignmentReader::read_rounding(const toml::node& value) {
     assignment.rounding = number(value, "rounding", 0, 10).value_or(0);
+}
+
+void AssignmentReader::read_teams(const toml::node& value) {
+    if (const auto* truth = value.as_boolean())
+        assignment.in_teams = truth->get();
+    else
+        wrong(value, "teams", "true or false");
 }
 
 // ---- order

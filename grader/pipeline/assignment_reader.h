@@ -30,8 +30,9 @@ private:
         std::string_view name;
         void (AssignmentReader::*read)(const toml::node&);
     };
-    static const std::array<Key, 7> keys;
+    static const std::array<Key, 9> keys;
     static const std::array<Key, 2> feedback_keys;
+    static const std::array<Key, 5> late_keys;
 
     struct Placed {
         toml::source_position at;
@@ -54,6 +55,8 @@ private:
         -> std::optional<decltype(list[0].value)>;
     std::optional<double> number(const toml::node& node, std::string_view name,
                                  double above, double most);
+    std::optional<int> count(const toml::node& node, std::string_view name,
+                             int least, int most);
 
     void read_name(const toml::node& value);
     void read_exercises(const toml::node& value);
@@ -70,7 +73,15 @@ private:
     void read_due(const toml::node& value);
     void read_time_zone(const toml::node& value);
     void set_due();
+    void read_late(const toml::node& value);
+    void read_policy(const toml::node& value);
+    void read_percent(const toml::node& value);
+    void read_grace(const toml::node& value);
+    void read_free_days(const toml::node& value);
+    void read_last_day(const toml::node& value);
+    void check_late(const toml::table& file);
     void read_rounding(const toml::node& value);
+    void read_teams(const toml::node& value);
     void sort();
     void add(const Placed& one);
 

@@ -87,7 +87,8 @@ TEST_CASE("all mistakes are reported, in the order of the file") {
     const std::vector<AssignmentMistake> expected = {
         {1, 1,
          "'nmae' is not a key; expected one of name, exercises, bonus, "
-         "hidden_feedback, due, time_zone, rounding; did you mean name?"},
+         "hidden_feedback, due, time_zone, late, rounding, teams; did you mean "
+         "name?"},
         {2, 19,
          "hidden_feedback is the text 'ful'; expected \"names\", "
          "\"names_and_hints\", \"full\"; did you mean full?"},
@@ -116,14 +117,21 @@ TEST_CASE("all mistakes are reported, in the order of the file") {
                Containing("week_1.toml:4:1: 'face_side' is not"));
 }
 
-TEST_CASE("due dates, bonus and rounding") {
+TEST_CASE("due dates, late work, bonus, rounding and teams") {
     const Assignment assignment = read(
         "due = 2026-12-11T23:59:00\n"
         "time_zone = 'Europe/Rome'\n"
         "rounding = 0.5\n"
+        "teams = true\n"
         "[hidden_feedback]\n"
         "before_due = 'names'\n"
         "after_due = 'full'\n"
+        "[late]\n"
+        "policy = 'percent_per_day'\n"
+        "percent_per_day = 12.5\n"
+        "grace_minutes = 10\n"
+        "free_days = 2\n"
+        "last_day = 7\n"
         "[exercises]\n"
         "face_sides = 1\n"
         "[bonus]\n"
@@ -131,7 +139,10 @@ TEST_CASE("due dates, bonus and rounding") {
     REQUIRE(assignment.due.has_value());
     CHECK(text_of(assignment.due->at) == "2026-12-11T22:59:00Z");
     CHECK(assignment.due->zone == "Europe/Rome");
+    CHECK((assignment.late ==
+           LatePolicy{LatePolicy::Kind::percent_per_day, 12.5, 10, 2, 7}));
     CHECK(assignment.rounding == 0.5);
+    CHECK(assignment.in_teams);
     REQUIRE(assignment.exercises.size() == 2);
     CHECK_FALSE(assignment.exercises[0].is_bonus);
     CHECK(assignment.exercises[1].is_bonus);
@@ -141,7 +152,7 @@ TEST_CASE("due dates, bonus and rounding") {
            FeedbackLevel::full));
 }
 
-TEST_CASE("mistakes in dates, bonus and rounding") {
+TEST_CASE("mistakes in dates and in what is late") {
     const std::string end = "[exercises]\nface_sides = 1\n";
     const std::vector<std::pair<std::string, std::string>> rows = {
         {"due = '11 December'\n",
@@ -154,7 +165,25 @@ TEST_CASE("mistakes in dates, bonus and rounding") {
         {"time_zone = 'Europe/Rom'\n",
          ":1:13: there is no time zone 'Europe/Rom'; expected one such as"},
         {"time_zone = 1\n", ":1:13: time_zone is 1; expected a name"},
+        {"late = 'none'\n", ":1:8: late is the text 'none'; expected a table"},
+        {"[late]\npolicy = 'none'\n", ":1:1: [late] stands without a due date"},
+        {"due = 2026-12-11T23:59:00\n[late]\ngrace_minutes = 1\n",
+         ":2:1: [late] has no policy; expected one of none"},
+        {"due = 2026-12-11T23:59:00\n[late]\npolicy = 'percent'\n",
+         "policy is the text 'percent'; expected \"none\", "
+         "\"percent_per_day\", \"refuse\""},
+        {"due = 2026-12-11T23:59:00\n[late]\npolicy = 'percent_per_day'\n",
+         ":2:1: [late] has no percent_per_day; expected how many"},
+        {"due = 2026-12-11T23:59:00\n[late]\npolicy = 'refuse'\n"
+         "percent_per_day = 5\n",
+         ":2:1: [late] has percent_per_day; expected it with"},
+        {"due = 2026-12-11T23:59:00\n[late]\npolicy = 'none'\nlate_days = 3\n",
+         ":4:1: 'late_days' is not a key of [late]; expected one of policy, "
+         "percent_per_day, grace_minutes, free_days, last_day"},
+        {"due = 2026-12-11T23:59:00\n[late]\npolicy = 'none'\nlast_day = 0\n",
+         ":4:12: last_day is 0; expected a whole number from 1 to 365"},
         {"rounding = -1\n", ":1:12: rounding is -1; expected a number above 0"},
+        {"teams = 'yes'\n", ":1:9: teams is the text 'yes'; expected true"},
         {"[hidden_feedback]\nafter = 'full'\n",
          ":2:1: 'after' is not a key of [hidden_feedback]; expected one of "
          "before_due, after_due"},

@@ -90,16 +90,6 @@ std::vector<std::string> names_of(
     return names;
 }
 
-std::optional<Assignment> assignment_of(const ClassOptions& options) {
-    if (options.assignment.empty()) return std::nullopt;
-    try {
-        return read_assignment(options.assignment,
-                               names_of(course::all_exercises()));
-    } catch (const AssignmentError& error) {
-        throw CannotBegin(error.what());
-    }
-}
-
 /// By what --platform calls them.
 const std::map<std::string, Platform> platforms = {
     {"plain", Platform::plain},           {"moodle", Platform::moodle},
@@ -203,6 +193,15 @@ course::Descriptor make_and_lock(const fs::path& folder) {
 
 }  // namespace
 
+std::optional<Assignment> chosen_assignment(const fs::path& file) {
+    if (file.empty()) return std::nullopt;
+    try {
+        return read_assignment(file, names_of(course::all_exercises()));
+    } catch (const AssignmentError& error) {
+        throw CannotBegin(error.what());
+    }
+}
+
 void ClassOptions::add_to(CLI::App& app) {
     app.add_option("dir", dir,
                    "the folder of the class, or an archive of it (.zip, "
@@ -225,7 +224,7 @@ void ClassOptions::add_to(CLI::App& app) {
 }
 
 ClassSession::ClassSession(const ClassOptions& options)
-    : chosen_(assignment_of(options)),
+    : chosen_(chosen_assignment(options.assignment)),
       run_(class_run(options, chosen_)),
       assignment_(chosen_ ? *chosen_
                           : default_assignment(names_of(run_.exercises))),

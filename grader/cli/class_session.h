@@ -25,6 +25,10 @@ struct ClassOptions {
     void add_to(CLI::App& app);
 };
 
+/// The assignment of that file; none without a file. Throws CannotBegin with
+/// every mistake in it.
+std::optional<Assignment> chosen_assignment(const std::filesystem::path& file);
+
 /// A class and the folder with its gradebook, which nobody else grades into as
 /// long as this lives.
 class ClassSession {

@@ -21,6 +21,9 @@ int main(int argc, char** argv) {
     grader::add_judge(program, code);
     grader::add_validate(program, code);
     grader::add_show(program, code);
+    grader::add_history(program, code);
+    grader::add_diff(program, code);
+    grader::add_override(program, code);
     grader::add_release(program, code);
     grader::add_doctor(program, code);
     grader::add_work(program, code);

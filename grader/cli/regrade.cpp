@@ -2,16 +2,13 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <iostream>
 #include <memory>
-#include <set>
 #include <string>
 
-#include "course/report/text.h"
 #include "grader/cli/class_session.h"
+#include "grader/cli/past_results.h"
 #include "grader/report/write_reports.h"
 
 namespace grader {
@@ -21,40 +18,6 @@ namespace {
 struct Options : ClassOptions {
     bool yes = false;
 };
-
-std::string score_text(const std::optional<course::Verdict>& verdict,
-                       double points) {
-    return verdict ? fmt::format("{:g} ({})", points, words(*verdict))
-                   : "no grade";
-}
-
-bool changes_score(const Change& change) {
-    return !change.old_verdict || change.points != change.old_points;
-}
-
-/// The scores that change, and how many of what kind.
-void print_changes(const std::vector<Change>& changes) {
-    int up = 0, down = 0;
-    std::set<std::string> students;
-    for (const Change& change : changes) {
-        if (!changes_score(change)) continue;
-        ++(change.points > change.old_points ? up : down);
-        students.insert(change.student);
-        fmt::print("{}  {}  {} -> {}\n", course::visible(change.student),
-                   change.exercise,
-                   score_text(change.old_verdict, change.old_points),
-                   score_text(change.verdict, change.points));
-    }
-    if (changes.empty()) {
-        fmt::print("No grade changes.\n");
-        return;
-    }
-    fmt::print(
-        "{} scores change, of {} students: {} up, {} down. {} results "
-        "change in other ways.\n",
-        up + down, students.size(), up, down,
-        changes.size() - static_cast<std::size_t>(up + down));
-}
 
 bool asks(const Options& options) {
     if (options.yes) return true;
@@ -84,11 +47,7 @@ std::string obstacle(const ClassRunResult& done) {
 }
 
 int regrade_command(const Options& options) {
-    if (!std::filesystem::exists(options.out / "gradebook.sqlite"))
-        throw CannotBegin(fmt::format(
-            "{}: has no gradebook.sqlite; expected the folder of an earlier "
-            "`grader run`",
-            options.out.string()));
+    expect_gradebook(options.out);
     ClassSession session(options);
     const ClassRunResult done = session.grade(true);
     fmt::print(

@@ -2,10 +2,10 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include "course/runner/nearest.h"
 #include "grader/cli/commands.h"
-#include "grader/gradebook/gradebook.h"
+#include "grader/cli/past_results.h"
 #include "grader/report/class_results.h"
+#include "grader/report/history.h"
 #include "grader/report/terminal.h"
 
 namespace grader {
@@ -15,6 +15,7 @@ namespace {
 struct Options {
     std::string student;
     std::filesystem::path out;
+    bool history = false;
 };
 
 Assignment assignment_of(const Gradebook& gradebook) {
@@ -25,21 +26,16 @@ Assignment assignment_of(const Gradebook& gradebook) {
 }
 
 int show_command(const Options& options) {
-    const Gradebook gradebook(options.out / "gradebook.sqlite",
-                              Gradebook::Access::read);
+    const Gradebook gradebook = gradebook_in(options.out);
     const GradedAssignment graded =
         graded_assignment(gradebook, assignment_of(gradebook));
-    const Student* student = find_student(graded.run.students, options.student);
-    if (student == nullptr) {
-        std::vector<std::string> ids;
-        for (const Student& s : graded.run.students) ids.push_back(s.id);
-        throw CannotBegin(fmt::format(
-            "{} has no student \"{}\"{}", options.out.string(), options.student,
-            course::did_you_mean(options.student, ids)));
-    }
-    fmt::print(
-        "{}", student_text(graded, student_results(gradebook, graded, *student),
-                           colour_of(STDOUT_FILENO)));
+    const Student& student = student_named(graded.run, options.student);
+    fmt::print("{}",
+               student_text(graded, student_results(gradebook, graded, student),
+                            colour_of(STDOUT_FILENO)));
+    if (options.history)
+        fmt::print("\nhistory:\n{}",
+                   history_text(gradebook.history(student.id)));
     return 0;
 }
 
@@ -53,6 +49,8 @@ void add_show(CLI::App& program, int& code) {
         ->required();
     command->add_option("--out", options->out, "the folder of a run")
         ->required();
+    command->add_flag("--history", options->history,
+                      "also every result there was, and what was set by hand");
     command->footer("Exit code: 0, or 2 when there is no such student.");
     command->callback([options, &code] { code = show_command(*options); });
 }

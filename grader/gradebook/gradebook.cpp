@@ -1,14 +1,9 @@
 #include "grader/gradebook/gradebook.h"
 
-#include <SQLiteCpp/SQLiteCpp.h>
-#include <fmt/format.h>
-#include <sqlite3.h>
-
 #include <charconv>
-#include <map>
 #include <utility>
 
-#include "course/runner/codec.h"
+#include "grader/gradebook/database.h"
 #include "grader/gradebook/schema.h"
 
 namespace grader {
@@ -18,89 +13,6 @@ namespace {
 using course::CaseResult;
 using course::ExerciseResult;
 using course::Failure;
-
-constexpr int wait_for_lock_ms = 3000;
-
-[[noreturn]] void translate(const std::string& file,
-                            const SQLite::Exception& error) {
-    const std::string why = error.what();
-    switch (error.getErrorCode()) {
-        case SQLITE_BUSY:
-        case SQLITE_LOCKED:
-            throw GradebookLocked(fmt::format(
-                "{}: another process has held it for {} s; expected it to be "
-                "free: is another run, or a database browser, using it?",
-                file, wait_for_lock_ms / 1000));
-        case SQLITE_READONLY:
-        case SQLITE_PERM:
-            throw GradebookReadOnly(fmt::format(
-                "{}: cannot be written ({}); expected a file and a folder "
-                "that may be written",
-                file, why));
-        case SQLITE_NOTADB:
-            throw GradebookForeign(fmt::format(
-                "{}: is not a SQLite file; expected a gradebook", file));
-        case SQLITE_CANTOPEN:
-            throw GradebookMissing(fmt::format(
-                "{}: cannot be opened or created ({}); expected a file in a "
-                "folder that exists",
-                file, why));
-        case SQLITE_FULL:
-            throw GradebookFull(
-                fmt::format("{}: the disk is full; nothing was half written, "
-                            "expected room for the result",
-                            file));
-        case SQLITE_CORRUPT:
-            throw GradebookDamaged(fmt::format(
-                "{}: is damaged ({}); expected a whole gradebook", file, why));
-        default:
-            throw GradebookError(fmt::format("{}: {}", file, why));
-    }
-}
-
-/// Runs `work`, and turns what SQLite and the codec throw into our own types.
-template <class Work>
-auto guarded(const std::string& file, Work work) {
-    try {
-        return work();
-    } catch (const SQLite::Exception& error) {
-        translate(file, error);
-    } catch (const course::CodecError& error) {
-        throw GradebookDamaged(fmt::format(
-            "{}: a stored failure cannot be read: {}", file, error.what()));
-    }
-}
-
-/// A database with the statements that were asked of it so far: to compile one
-/// takes far longer than to run it.
-struct Connection {
-    SQLite::Database sql;
-    std::map<std::string_view, SQLite::Statement> statements;
-};
-
-/// A statement with its values. When it goes, the statement is free for the
-/// next values, and nothing is held locked by it.
-struct Reset {
-    void operator()(SQLite::Statement* statement) const {
-        statement->tryReset();
-    }
-};
-using Query = std::unique_ptr<SQLite::Statement, Reset>;
-
-/// Precondition: `text` is a literal, and no query of this text is in use.
-template <class... Values>
-Query prepared(Connection& db, const char* text, const Values&... values) {
-    const auto kept = db.statements.try_emplace(text, db.sql, text).first;
-    Query query(&kept->second);
-    int position = 0;
-    (query->bind(++position, values), ...);
-    return query;
-}
-
-template <class... Values>
-void execute(Connection& db, const char* text, const Values&... values) {
-    prepared(db, text, values...)->exec();
-}
 
 // ---- opening
 
@@ -133,14 +45,16 @@ void check_kind(const std::string& file, SQLite::Database& sql) {
 
 void create_tables(SQLite::Database& sql) {
     sql.exec(schema);
-    sql.exec(standing_view);
     sql.exec(fmt::format("PRAGMA application_id = {}", application_id));
 }
 
-/// Precondition: check_kind has passed.
+/// Precondition: check_kind has passed, or the tables are new.
 void bring_up_to_date(SQLite::Database& sql) {
-    if (number(sql, "PRAGMA user_version") == 1) {
-        sql.exec(from_version_1);
+    const int version = number(sql, "PRAGMA user_version");
+    if (version < schema_version) {
+        sql.exec("DROP VIEW IF EXISTS standing");
+        if (version == 1) sql.exec(from_version_1);
+        sql.exec(history_of_version_3);
         sql.exec(standing_view);
     }
     sql.exec(fmt::format("PRAGMA user_version = {}", schema_version));
@@ -187,9 +101,9 @@ int flags(Gradebook::Access access) {
 void insert_run(Connection& db, const Run& run) {
     execute(db,
             "INSERT INTO runs (started_at, version, sandbox, seed, jobs, "
-            "proposed) VALUES (?, ?, ?, ?, ?, ?)",
+            "proposed, user) VALUES (?, ?, ?, ?, ?, ?, ?)",
             run.started_at, run.version, run.sandbox, std::to_string(run.seed),
-            run.jobs, run.proposed ? 1 : 0);
+            run.jobs, run.proposed ? 1 : 0, run.user);
 }
 
 void insert_note(Connection& db, int run, const std::string& note) {
@@ -212,6 +126,19 @@ std::uint64_t seed_of(const std::string& file, const std::string& text) {
         throw GradebookDamaged(fmt::format(
             "{}: a run has the seed '{}'; expected a number", file, text));
     return seed;
+}
+
+/// What stands in the row of the run itself.
+Run run_facts(const std::string& file, SQLite::Statement& row) {
+    Run run;
+    run.started_at = row.getColumn(1).getString();
+    run.version = row.getColumn(2).getString();
+    run.sandbox = row.getColumn(3).getString();
+    run.seed = seed_of(file, row.getColumn(4).getString());
+    run.jobs = row.getColumn(5).getInt();
+    run.user = row.getColumn(6).getString();
+    run.proposed = row.getColumn(7).getInt() != 0;
+    return run;
 }
 
 std::vector<std::string> notes_of(Connection& db, int run) {
@@ -287,10 +214,11 @@ std::int64_t insert_attempt(Connection& db, int run, const Attempt& attempt) {
     const ExerciseResult& result = attempt.result;
     execute(db,
             "INSERT INTO attempts (run, student, exercise, key, verdict, "
-            "points, max, message, finished_at) VALUES (?,?,?,?,?,?,?,?,?)",
+            "points, max, message, finished_at, source) VALUES "
+            "(?,?,?,?,?,?,?,?,?,?)",
             run, attempt.student, attempt.exercise, attempt.key,
             std::string(course::name(result.verdict)), result.points(),
-            result.max(), result.message, attempt.finished_at);
+            result.max(), result.message, attempt.finished_at, attempt.source);
     const std::int64_t row = db.sql.getLastInsertRowid();
     int position = 0;
     for (const CaseResult& one : result.cases)
@@ -329,18 +257,10 @@ std::int64_t attempt_with_key(Connection& db, std::string_view student,
     return row->executeStep() ? row->getColumn(0).getInt64() : 0;
 }
 
-course::Verdict verdict_of(const std::string& file, const std::string& name) {
-    if (const auto verdict = course::verdict_named(name)) return *verdict;
-    throw GradebookDamaged(
-        fmt::format("{}: a stored verdict is '{}'; expected one such as "
-                    "'accepted'",
-                    file, name));
-}
-
 CaseResult read_case(const std::string& file, SQLite::Statement& row) {
     CaseResult result;
     result.info.name = row.getColumn(0).getString();
-    result.verdict = verdict_of(file, row.getColumn(1).getString());
+    result.verdict = stored_verdict(file, row.getColumn(1).getString());
     result.info.points = row.getColumn(2).getDouble();
     result.info.visibility = row.getColumn(3).getString() == "shown"
                                  ? course::Visibility::shown
@@ -368,7 +288,7 @@ Attempt read_attempt(const std::string& file, Connection& db,
                      std::int64_t attempt) {
     auto row = prepared(db,
                         "SELECT student, exercise, key, verdict, message, "
-                        "finished_at FROM attempts WHERE attempt = ?",
+                        "finished_at, source FROM attempts WHERE attempt = ?",
                         attempt);
     if (!row->executeStep())
         throw GradebookDamaged(fmt::format(
@@ -377,27 +297,15 @@ Attempt read_attempt(const std::string& file, Connection& db,
     read.student = row->getColumn(0).getString();
     read.exercise = row->getColumn(1).getString();
     read.key = row->getColumn(2).getString();
-    read.result.verdict = verdict_of(file, row->getColumn(3).getString());
+    read.result.verdict = stored_verdict(file, row->getColumn(3).getString());
     read.result.message = row->getColumn(4).getString();
     read.finished_at = row->getColumn(5).getString();
+    read.source = row->getColumn(6).getString();
     read.result.cases = read_cases(file, db, attempt);
     return read;
 }
 
 }  // namespace
-
-struct Gradebook::Database {
-    std::string file;
-    Access access;
-    Connection db;
-
-    ~Database() {
-        if (access == Access::read) return;
-        // Fails while another process uses the file: the last one does it.
-        sqlite3_busy_timeout(db.sql.getHandle(), 0);
-        db.sql.tryExec("PRAGMA journal_mode = DELETE");
-    }
-};
 
 Gradebook::Gradebook(const std::filesystem::path& file, Access access) {
     guarded(file.string(), [&] {
@@ -437,20 +345,31 @@ std::optional<Run> Gradebook::last_run() const {
         Connection& db = database_->db;
         auto row = prepared(db,
                             "SELECT run, started_at, version, sandbox, seed, "
-                            "jobs FROM runs WHERE NOT proposed "
+                            "jobs, user, proposed FROM runs WHERE NOT proposed "
                             "ORDER BY run DESC LIMIT 1");
         if (!row->executeStep()) return std::nullopt;
         const int id = row->getColumn(0).getInt();
-        Run run;
-        run.started_at = row->getColumn(1).getString();
-        run.version = row->getColumn(2).getString();
-        run.sandbox = row->getColumn(3).getString();
-        run.seed = seed_of(database_->file, row->getColumn(4).getString());
-        run.jobs = row->getColumn(5).getInt();
+        Run run = run_facts(database_->file, *row);
         run.suites = suites_of(db, id);
         run.students = students_of(db, id);
         run.notes = notes_of(db, id);
         return run;
+    });
+}
+
+std::vector<PastRun> Gradebook::runs() const {
+    return guarded(database_->file, [&] {
+        Connection& db = database_->db;
+        auto row = prepared(db,
+                            "SELECT run, started_at, version, sandbox, seed, "
+                            "jobs, user, proposed FROM runs ORDER BY run");
+        std::vector<PastRun> all;
+        while (row->executeStep()) {
+            const int id = row->getColumn(0).getInt();
+            all.push_back({id, run_facts(database_->file, *row)});
+            all.back().facts.suites = suites_of(db, id);
+        }
+        return all;
     });
 }
 
@@ -464,21 +383,7 @@ std::vector<Change> Gradebook::changes(int run) const {
             "o.exercise = n.exercise WHERE counted.run = ? AND "
             "o.attempt IS NOT n.attempt ORDER BY n.student, n.exercise",
             run);
-        std::vector<Change> all;
-        while (rows->executeStep()) {
-            Change one;
-            one.student = rows->getColumn(0).getString();
-            one.exercise = rows->getColumn(1).getString();
-            if (!rows->getColumn(2).isNull())
-                one.old_verdict =
-                    verdict_of(database_->file, rows->getColumn(2).getString());
-            one.old_points = rows->getColumn(3).getDouble();
-            one.verdict =
-                verdict_of(database_->file, rows->getColumn(4).getString());
-            one.points = rows->getColumn(5).getDouble();
-            all.push_back(std::move(one));
-        }
-        return all;
+        return changes_in(database_->file, *rows);
     });
 }
 

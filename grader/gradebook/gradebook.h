@@ -79,11 +79,18 @@ struct Run {
     int jobs = 1;
     /// Whether its results only lie ready until accept() is called.
     bool proposed = false;
+    std::string user = {};  ///< who ran it: the name of the account
     std::vector<Suite> suites;
     std::vector<Student> students;   ///< every one found, in report order
     std::vector<std::string> notes;  ///< about the folder as a whole
 
     friend bool operator==(const Run&, const Run&) = default;
+};
+
+/// A run of the past and its number; without its students and notes.
+struct PastRun {
+    int number = 0;
+    Run facts;
 };
 
 /// One exercise of one student, judged. An exercise that was not handed in is
@@ -94,6 +101,44 @@ struct Attempt {
     std::string key;       ///< hash of all that the result depends on
     course::ExerciseResult result;
     std::string finished_at;  ///< ISO 8601, UTC
+    std::string source = {};  ///< SHA-256 of the file; empty when there is none
+};
+
+/// The points of an exercise as an instructor set them.
+struct GradeByHand {
+    std::string student;   ///< Student::id
+    std::string exercise;  ///< Suite::exercise
+    /// Without a value: taken back, what the grader found counts again.
+    std::optional<double> points;
+    std::string reason;
+    std::string user;    ///< who did it: the name of the account
+    std::string set_at;  ///< ISO 8601, UTC
+};
+
+/// Something that happened to a grade.
+struct HistoryEntry {
+    enum class Kind {
+        judged,         ///< a file was judged, or was found not to be there
+        counted_again,  ///< an earlier result counts once more
+        set_by_hand,
+        taken_back,  ///< what was set by hand
+    };
+
+    std::string when;  ///< ISO 8601, UTC
+    Kind kind = Kind::judged;
+    std::string student;   ///< Student::id
+    std::string exercise;  ///< Suite::exercise
+    double points = 0;
+    std::string user;  ///< whose run it was, or who set the points
+    // Of what was judged or counts again:
+    int run = 0;
+    std::string suite = {};  ///< its version
+    course::Verdict verdict = course::Verdict::grader_fault;
+    double max = 0;
+    std::string source = {};  ///< Attempt::source
+    bool proposed = false;    ///< its run only proposes it
+    // Of what was set by hand or taken back:
+    std::string reason = {};
 };
 
 /// A grade that a proposed run would change.
@@ -141,6 +186,9 @@ public:
     /// The newest run that is not only proposed, if there is one.
     std::optional<Run> last_run() const;
 
+    /// All runs, proposed ones too, in their order.
+    std::vector<PastRun> runs() const;
+
     /// The results that a proposed run reached or found, where another one
     /// counts: in the order of students and exercises.
     std::vector<Change> changes(int run) const;
@@ -170,6 +218,24 @@ public:
 
     /// The attempts that count for this student, one per exercise, by its name.
     std::vector<Attempt> latest(std::string_view student) const;
+
+    /// Adds a row; what was set or judged before stays. It holds for all later
+    /// results, too, until it is taken back.
+    void set_by_hand(const GradeByHand& grade);
+
+    /// The grades set by hand that hold for this student, by exercise.
+    std::vector<GradeByHand> set_by_hand(std::string_view student) const;
+
+    /// Everything that happened to this student's grades, oldest first.
+    std::vector<HistoryEntry> history(std::string_view student) const;
+
+    /// Every student with a history, by id, with their newest name.
+    std::vector<Student> students_ever() const;
+
+    /// The results that counted when the run `newer` ended, where another one
+    /// or none counted when `older` ended; in the order of students and
+    /// exercises. Of grades set by hand it knows nothing.
+    std::vector<Change> differences(int older, int newer) const;
 
 private:
     struct Database;

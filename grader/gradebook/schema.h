@@ -6,7 +6,7 @@ namespace grader {
 
 /// In the file's header: how `file` and we tell a gradebook from any other.
 inline constexpr int application_id = 0x48454762;  // "HEGb"
-inline constexpr int schema_version = 2;
+inline constexpr int schema_version = 3;
 
 /// Columns named `student` hold safe ids. Times are ISO 8601 in UTC. Blobs are
 /// in the encoding of course/runner/codec.h.
@@ -77,10 +77,34 @@ CREATE TABLE counted (
 CREATE INDEX counted_by_student ON counted (student, exercise);
 )sql";
 
+/// What version 3 added for the history; a new gradebook gets it like an older
+/// one.
+inline constexpr const char* history_of_version_3 = R"sql(
+ALTER TABLE runs ADD COLUMN user TEXT NOT NULL DEFAULT '';
+-- SHA-256 of the file; '' when there was none, or before version 3.
+ALTER TABLE attempts ADD COLUMN source TEXT NOT NULL DEFAULT '';
+-- Grades that an instructor set; of a student and exercise the newest row holds.
+CREATE TABLE set_by_hand (
+    set_by_hand INTEGER PRIMARY KEY,
+    student TEXT NOT NULL,
+    exercise TEXT NOT NULL,
+    points REAL,  -- NULL: taken back, what the grader found counts again
+    reason TEXT NOT NULL,
+    user TEXT NOT NULL,
+    set_at TEXT NOT NULL
+);
+CREATE INDEX set_by_hand_by_student ON set_by_hand (student, exercise);
+)sql";
+
+/// One row per student and exercise, for instructors. `points` are those that
+/// the grader found; where `set_points` is not NULL, it counts instead.
 inline constexpr const char* standing_view = R"sql(
-CREATE VIEW standing AS  -- for instructors: one row per student and exercise
+CREATE VIEW standing AS
     SELECT a.student, a.exercise, a.verdict, a.points, a.max, a.finished_at,
-           a.attempt
+           a.attempt,
+           (SELECT h.points FROM set_by_hand h WHERE h.student = a.student
+            AND h.exercise = a.exercise
+            ORDER BY h.set_by_hand DESC LIMIT 1) AS set_points
     FROM attempts a JOIN counted c ON c.attempt = a.attempt
     WHERE c.counted = (SELECT max(d.counted) FROM counted d NATURAL JOIN runs
                        WHERE d.student = a.student
@@ -90,7 +114,6 @@ CREATE VIEW standing AS  -- for instructors: one row per student and exercise
 /// From version 1, which had no proposed runs.
 inline constexpr const char* from_version_1 = R"sql(
 ALTER TABLE runs ADD COLUMN proposed INTEGER NOT NULL DEFAULT 0;
-DROP VIEW standing;
 )sql";
 
 }  // namespace grader

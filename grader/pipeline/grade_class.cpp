@@ -1,11 +1,9 @@
 #include "grader/pipeline/grade_class.h"
 
-#include <fmt/chrono.h>
 #include <fmt/format.h>
 
-#include <ctime>
-
 #include "grader/pipeline/keys.h"
+#include "grader/pipeline/who_and_when.h"
 
 namespace grader {
 
@@ -14,11 +12,6 @@ namespace {
 using course::Exercise;
 using course::ExerciseResult;
 using course::Verdict;
-
-std::string now() {
-    return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}",
-                       fmt::gmtime(std::time(nullptr)));
-}
 
 class Grading {
 public:
@@ -66,11 +59,12 @@ private:
 
 void Grading::begin() {
     Run facts;
-    facts.started_at = now();
+    facts.started_at = utc_now();
     facts.version = COURSE_VERSION;
     facts.sandbox = run_.isolation;
     facts.seed = run_.judging.seed;
     facts.jobs = run_.jobs;
+    facts.user = user_name();
     facts.notes = run_.submitted.notes;
     facts.proposed = run_.propose;
     for (const Exercise& exercise : run_.exercises)
@@ -99,11 +93,14 @@ void patiently(Write write) {
 
 void Grading::record(const Place& place, const std::string& key,
                      const ExerciseResult& result) {
-    patiently([&] {
-        gradebook_.record(result_.run,
-                          {submission(place).id, exercise(place).full_name(),
-                           key, result, now()});
-    });
+    const bool is_there = submission(place).files[place.exercise].has_value();
+    const Attempt attempt = {submission(place).id,
+                             exercise(place).full_name(),
+                             key,
+                             result,
+                             utc_now(),
+                             is_there ? sha256(source(place)) : ""};
+    patiently([&] { gradebook_.record(result_.run, attempt); });
 }
 
 void Grading::note_missing(const Place& place) {

@@ -182,9 +182,9 @@ Html head_row(const ClassSummary& results, Columns columns) {
 
 Html cell(const std::optional<Score>& score) {
     if (!score) return badge_not_judged();
-    if (!was_judged(score)) return badge(score->verdict);
+    if (!shows_points(score)) return badge(score->verdict);
     return markup("{}<small>{}</small>", badge(score->verdict),
-                  course::points_text(score->points));
+                  points_mark(*score));
 }
 
 Html total_cells(const ClassSummary& results, const Scores& student) {
@@ -242,15 +242,49 @@ void add_students(Html& page, const ClassSummary& results) {
     append(page,
            "<h2>Students</h2>\n"
            R"(<p class="soft">A name leads to the student's own page. )"
-           "Under each verdict stand the points of the exercise{}</p>\n",
+           "Under each verdict stand the points of the exercise{}{}</p>\n",
            is_weighted(results)
                ? "; totals multiply them by the weights listed at the end."
-               : ".");
+               : ".",
+           results.by_hand.empty() ? "" : " A star: set by hand, see below.");
     if (results.students.empty())
         return append(page, "<p>No student's folder was found.</p>\n");
     for (const Columns columns : tables(results))
         add_table(page, results, columns);
     page += legend();
+}
+
+// ---- what was set by hand
+
+Html by_hand_row(const ClassSummary& results, const SetPoints& set) {
+    return markup(
+        R"(<tr><td><bdi>{}</bdi></td><td>{}</td><td class="n">{} of {}</td>)"
+        R"(<td class="n">{}</td><td>{}</td><td>{}, {}</td></tr>)"
+        "\n",
+        results.run.students[set.student].name,
+        short_name(results.exercises[set.exercise].exercise),
+        course::points_text(set.grade.points.value_or(0)),
+        course::points_text(max_points(results, set.exercise)),
+        course::points_text(set.found),
+        course::shortened(set.grade.reason, 2000, 10), set.grade.user,
+        course::time_text(set.grade.set_at));
+}
+
+Html by_hand_section(const ClassSummary& results) {
+    if (results.by_hand.empty()) return {};
+    Html rows;
+    for (const SetPoints& set : results.by_hand)
+        rows += by_hand_row(results, set);
+    return markup(R"(<h2>Points set by hand</h2>
+<table class="notes">
+<thead><tr><th>student</th><th>exercise</th><th class="n">points</th>)"
+                  R"(<th class="n">the grader found</th><th>reason</th>)"
+                  R"(<th>who, and when</th></tr></thead>
+<tbody>
+{}</tbody>
+</table>
+)",
+                  rows);
 }
 
 // ---- the bar chart
@@ -442,7 +476,8 @@ Html class_page(const ClassSummary& results) {
            course::time_text(results.run.started_at), name, faults(results),
            numbers(results));
     add_students(page, results);
-    append(page, "{}{}", chart_section(results), cases_section(results));
+    append(page, "{}{}{}", by_hand_section(results), chart_section(results),
+           cases_section(results));
     add_files(page, results.run);
     page += run_section(results);
     end_page(page);

@@ -22,7 +22,7 @@ Suite suite_of(const Run& run, const std::string& exercise) {
 }
 
 bool is_fault(const std::optional<Score>& score) {
-    return score && score->verdict == Verdict::grader_fault;
+    return score && score->verdict == Verdict::grader_fault && !score->by_hand;
 }
 
 bool is_missing(const std::optional<Score>& score) {
@@ -62,18 +62,29 @@ StudentResults student_results(const Gradebook& gradebook,
         if (found != latest.end())
             results.exercises.back() = std::move(found->second);
     }
+    for (const GradeByHand& grade : gradebook.set_by_hand(student.id))
+        for (std::size_t k = 0; k < graded.exercises.size(); ++k)
+            if (graded.exercises[k].exercise == grade.exercise)
+                results.by_hand.emplace(k, grade);
     return results;
 }
 
-std::optional<Score> score_of(const std::optional<ExerciseResult>& result) {
+std::optional<Score> score_of(const StudentResults& student, std::size_t k) {
+    const auto& result = student.exercises[k];
     if (!result) return std::nullopt;
-    return Score{result->verdict, result->points()};
+    Score score{result->verdict, result->points()};
+    if (const auto set = student.by_hand.find(k);
+        set != student.by_hand.end()) {
+        score.points = set->second.points.value_or(score.points);
+        score.by_hand = true;
+    }
+    return score;
 }
 
 Scores scores_of(const StudentResults& student) {
     Scores scores;
-    for (const auto& result : student.exercises)
-        scores.push_back(score_of(result));
+    for (std::size_t k = 0; k < student.exercises.size(); ++k)
+        scores.push_back(score_of(student, k));
     return scores;
 }
 
@@ -140,6 +151,14 @@ bool was_judged(const std::optional<Score>& score) {
     return score && !is_fault(score) && !is_missing(score);
 }
 
+std::string points_mark(const Score& score) {
+    return course::points_text(score.points) + (score.by_hand ? "*" : "");
+}
+
+bool shows_points(const std::optional<Score>& score) {
+    return was_judged(score) || (score && score->by_hand);
+}
+
 const Student* find_student(const std::vector<Student>& students,
                             std::string_view id_or_name) {
     for (const Student& one : students)
@@ -165,7 +184,7 @@ ClassResults class_results(const Gradebook& gradebook,
 }
 
 bool was_judged(const std::optional<ExerciseResult>& result) {
-    return was_judged(score_of(result));
+    return result && was_judged(std::optional(Score{result->verdict, 0}));
 }
 
 }  // namespace grader

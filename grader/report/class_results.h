@@ -1,6 +1,7 @@
 // The results of a class, as every kind of report takes them.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -40,6 +41,8 @@ struct StudentResults {
     Student student;
     /// Without a value: not judged yet, as after a run that was cut short.
     std::vector<std::optional<course::ExerciseResult>> exercises;
+    /// What an instructor set, by number of the exercise.
+    std::map<std::size_t, GradeByHand> by_hand = {};
 };
 
 /// For each exercise the result that counts. Throws GradebookError.
@@ -50,14 +53,16 @@ StudentResults student_results(const Gradebook& gradebook,
 /// What a grade is made of; all that tables of a class take of a result.
 struct Score {
     course::Verdict verdict = course::Verdict::grader_fault;
-    double points = 0;
+    double points = 0;     ///< those that count
+    bool by_hand = false;  ///< an instructor set them, whatever the verdict
 };
 
 /// The scores of one student, as StudentResults::exercises.
 using Scores = std::vector<std::optional<Score>>;
 
-std::optional<Score> score_of(
-    const std::optional<course::ExerciseResult>& result);
+/// What counts for that exercise; none when it has no result yet.
+std::optional<Score> score_of(const StudentResults& student,
+                              std::size_t exercise);
 Scores scores_of(const StudentResults& student);
 
 /// How far a student's grade has come, by the first of these that holds.
@@ -100,6 +105,12 @@ bool is_weighted(const GradedAssignment& graded);
 
 /// Whether a file of the exercise was handed in and judged.
 bool was_judged(const std::optional<Score>& score);
+
+/// "7.5", "7.5*": points in a table; the star says that they were set by hand.
+std::string points_mark(const Score& score);
+
+/// Whether a table shows points beside the verdict.
+bool shows_points(const std::optional<Score>& score);
 
 /// The student of that id or, if there is none, of that folder name.
 const Student* find_student(const std::vector<Student>& students,

@@ -36,6 +36,10 @@ void add(ClassSummary& all, const StudentResults& student) {
             all.faults.push_back({all.students.size(), k,
                                   course::shortened(result->message, 600, 6)});
     }
+    for (const auto& [k, grade] : student.by_hand)
+        if (const auto& result = student.exercises[k])
+            all.by_hand.push_back(
+                {all.students.size(), k, grade, result->points()});
     all.students.push_back(scores_of(student));
 }
 

@@ -26,11 +26,19 @@ struct Fault {
     std::string message;            ///< shortened
 };
 
+/// Points of a student's exercise that an instructor set.
+struct SetPoints {
+    std::size_t student, exercise;  ///< numbers in the class's lists
+    GradeByHand grade;
+    double found = 0;  ///< the points that the grader found
+};
+
 struct ClassSummary : GradedAssignment {
     std::vector<Scores> students;  ///< in the order of run.students
     std::vector<Fault> faults;     ///< by student, then by exercise
     /// By number of the exercise and name of the case.
     std::map<std::pair<std::size_t, std::string>, CaseCount> cases;
+    std::vector<SetPoints> by_hand = {};  ///< by student, then by exercise
 };
 
 /// Adds a student. Precondition: it is the next one of run.students.

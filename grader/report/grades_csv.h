@@ -20,6 +20,8 @@ namespace grader {
 ///   complete           every exercise was handed in and judged
 /// In the first two, total, percent and the exercises without a result are
 /// empty: a spreadsheet must not take them for a grade of zero.
+/// Where an instructor has set points by hand, these count, and a last column
+/// `set by hand` says for each student of which exercises and why.
 std::string grades_csv(const ClassSummary& results);
 
 }  // namespace grader

@@ -94,8 +94,15 @@ void add_exercise(Json& tests, const GradedAssignment& graded,
                                   fmt::format("{}.{}", number, c + 1), grade));
 }
 
-std::string output_text(const StudentResults& student, Status now) {
+std::string output_text(const GradedAssignment& graded,
+                        const StudentResults& student, Status now) {
     std::string text = "Status: " + std::string(words(now));
+    for (std::size_t k = 0; k < graded.exercises.size(); ++k)
+        if (const auto score = score_of(student, k); score && score->by_hand)
+            text += fmt::format("\n{}: the points were set by hand: {} of {}",
+                                short_name(graded.exercises[k].exercise),
+                                course::points_text(score->points),
+                                course::points_text(max_points(graded, k)));
     for (const std::string& note : student.student.notes) text += "\n" + note;
     return text;
 }
@@ -109,7 +116,7 @@ std::string gradescope_json(const GradedAssignment& graded,
     const Grade grade = sum.total ? Grade::given : Grade::none;
     Json all;
     if (sum.total) all["score"] = *sum.total;
-    all["output"] = escape_json(output_text(student, status(scores)));
+    all["output"] = escape_json(output_text(graded, student, status(scores)));
     all["output_format"] = "text";
     all["visibility"] = "visible";
     all["stdout_visibility"] = "hidden";

@@ -133,10 +133,16 @@ void add_cases(Html& page, const ExerciseResult& result) {
     append(page, "</ul>\n");
 }
 
-Html points_of(const std::optional<ExerciseResult>& result, double max) {
-    const auto value = points(score_of(result));
-    return markup("{} of {}", value ? course::points_text(*value) : "–",
-                  course::points_text(max));
+Html points_of(const GradedAssignment& graded, const StudentResults& student,
+               std::size_t k) {
+    const auto score = score_of(student, k);
+    const auto value = points(score);
+    return markup(
+        "{} of {}{}", value ? course::points_text(*value) : "–",
+        course::points_text(max_points(graded, k)),
+        score && score->by_hand
+            ? markup(R"( <span class="soft small">set by hand</span>)")
+            : Html());
 }
 
 void add_exercise(Html& page, const GradedAssignment& graded,
@@ -149,8 +155,7 @@ void add_exercise(Html& page, const GradedAssignment& graded,
 )",
            short_name(exercise.exercise),
            result ? badge(result->verdict) : badge_not_judged(),
-           short_name(exercise.exercise),
-           points_of(result, max_points(graded, k)));
+           short_name(exercise.exercise), points_of(graded, student, k));
     if (!result) return append(page, "<p>Not judged yet.</p>\n</section>\n");
     const ExerciseResult shown = for_student(*result, hidden_feedback(graded));
     append(page, "<p>{}</p>\n{}", explanation(shown.verdict),
@@ -185,15 +190,16 @@ Html overview_row(const GradedAssignment& graded, const StudentResults& student,
     const GradedExercise& exercise = graded.exercises[k];
     const auto& result = student.exercises[k];
     const double max = max_points(graded, k);
-    return markup(R"(<tr><td>{}</td><td>{}</td><td style="width:180px">{}</td>)"
-                  R"(<td class="n">{}{}</td></tr>)"
-                  "\n",
-                  name_of(exercise, result), verdict_of(exercise, result),
-                  bar(max > 0 ? points(score_of(result)).value_or(0) / max : 0),
-                  points_of(result, max),
-                  is_weighted(graded)
-                      ? markup(" × {}", course::points_text(exercise.weight))
-                      : Html());
+    return markup(
+        R"(<tr><td>{}</td><td>{}</td><td style="width:180px">{}</td>)"
+        R"(<td class="n">{}{}</td></tr>)"
+        "\n",
+        name_of(exercise, result), verdict_of(exercise, result),
+        bar(max > 0 ? points(score_of(student, k)).value_or(0) / max : 0),
+        points_of(graded, student, k),
+        is_weighted(graded)
+            ? markup(" × {}", course::points_text(exercise.weight))
+            : Html());
 }
 
 Html overview(const GradedAssignment& graded, const StudentResults& student) {

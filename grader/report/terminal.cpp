@@ -87,7 +87,7 @@ std::string_view colour_of_verdict(Verdict verdict) {
 Cell exercise_cell(const std::optional<Score>& score) {
     if (!score) return {".."};
     std::string text(mark(score->verdict));
-    if (was_judged(score)) text += " " + course::points_text(score->points);
+    if (shows_points(score)) text += " " + points_mark(*score);
     return {std::move(text), colour_of_verdict(score->verdict)};
 }
 
@@ -193,13 +193,14 @@ std::vector<Row> only_totals(std::vector<Row> rows, std::size_t middle) {
     return rows;
 }
 
-std::string mark_legend() {
+std::string mark_legend(const ClassSummary& results) {
     std::string text;
     for (int k = 0; k <= static_cast<int>(Verdict::grader_fault); ++k) {
         const auto verdict = static_cast<Verdict>(k);
         text += fmt::format("{}{} {}", k % 5 > 0 ? ", " : (k > 0 ? "\n" : ""),
                             mark(verdict), words(verdict));
     }
+    if (!results.by_hand.empty()) text += "\n* points set by hand";
     return text + "\n";
 }
 
@@ -232,12 +233,25 @@ std::string case_text(const CaseResult& result, Colour colour) {
     return text;
 }
 
+/// Of points that were set by hand: by whom, when and why.
+std::string by_hand_text(const StudentResults& student, std::size_t k) {
+    const auto set = student.by_hand.find(k);
+    if (set == student.by_hand.end()) return "";
+    const GradeByHand& grade = set->second;
+    return fmt::format("  set by hand, {} by {}; the grader found {}: {}\n",
+                       course::time_text(grade.set_at),
+                       escape_terminal(grade.user),
+                       course::points_text(student.exercises[k]->points()),
+                       escape_terminal(grade.reason));
+}
+
 std::string exercise_text(const GradedAssignment& graded,
-                          const std::optional<ExerciseResult>& result,
-                          std::size_t k, Colour colour) {
+                          const StudentResults& student, std::size_t k,
+                          Colour colour) {
+    const auto& result = student.exercises[k];
     const std::string name(short_name(graded.exercises[k].exercise));
     if (!result) return fmt::format("\n{}: not judged yet\n", name);
-    const auto value = points(score_of(result));
+    const auto value = points(score_of(student, k));
     std::string text =
         fmt::format("\n{}: {}, {} of {}\n", painted({name, bold}, colour),
                     painted({std::string(words(result->verdict)),
@@ -245,6 +259,7 @@ std::string exercise_text(const GradedAssignment& graded,
                             colour),
                     value ? course::points_text(*value) : "-",
                     course::points_text(max_points(graded, k)));
+    text += by_hand_text(student, k);
     text += indented(course::shortened(result->message, 8000, 60), 2);
     if (has_run(*result))
         for (const CaseResult& one : result->cases)
@@ -266,7 +281,7 @@ std::string class_table(const ClassSummary& results, Colour colour,
                         std::size_t columns) {
     const std::vector<Row> by_exercise = rows_by_exercise(results);
     if (table_width(by_exercise) <= columns)
-        return laid_out(by_exercise, colour) + "\n" + mark_legend();
+        return laid_out(by_exercise, colour) + "\n" + mark_legend(results);
     const std::vector<Row> by_chapter = rows_by_chapter(results);
     if (table_width(by_chapter) <= columns)
         return laid_out(by_chapter, colour) +
@@ -290,7 +305,7 @@ std::string student_text(const GradedAssignment& graded,
     for (const std::string& note : student.student.notes)
         text += "note: " + escape_terminal(note) + "\n";
     for (std::size_t k = 0; k < graded.exercises.size(); ++k)
-        text += exercise_text(graded, student.exercises[k], k, colour);
+        text += exercise_text(graded, student, k, colour);
     return text;
 }
 

@@ -22,6 +22,17 @@ void execute(const std::filesystem::path& file, const std::string& sql) {
         .exec(sql);
 }
 
+/// What that version had, and nothing else.
+void make_older(const std::filesystem::path& file, int version) {
+    execute(file, "DROP VIEW standing");
+    execute(file, "DROP TABLE set_by_hand");
+    execute(file, "ALTER TABLE attempts DROP COLUMN source");
+    execute(file, "ALTER TABLE runs DROP COLUMN user");
+    if (version == 1) execute(file, "ALTER TABLE runs DROP COLUMN proposed");
+    execute(file, "CREATE VIEW standing AS SELECT * FROM attempts");
+    execute(file, "PRAGMA user_version = " + std::to_string(version));
+}
+
 std::string message(const std::filesystem::path& file,
                     Gradebook::Access access = Gradebook::Access::write) {
     try {
@@ -90,27 +101,32 @@ TEST_CASE("a gradebook of a newer grader is refused and not touched") {
     const course::TemporaryFolder folder;
     const auto file = folder / "g.sqlite";
     CHECK(message(file) == "opened");
-    execute(file, "PRAGMA user_version = 3");
+    execute(file, "PRAGMA user_version = 4");
     CHECK_THROWS_AS(Gradebook(file), GradebookNewer);
-    CHECK_THAT(message(file), Containing("has schema 3; expected at most 2"));
+    CHECK_THAT(message(file), Containing("has schema 4; expected at most 3"));
 }
 
-TEST_CASE("a gradebook of version 1 is brought up to date when it is opened") {
+TEST_CASE("an older gradebook is brought up to date when it is opened") {
     const course::TemporaryFolder folder;
     const std::filesystem::path file = folder / "g.sqlite";
-    for (const auto access :
-         {Gradebook::Access::write, Gradebook::Access::read}) {
-        std::filesystem::remove(file);
-        { Gradebook(file).begin_run(sample_run()); }
-        execute(file, "DROP VIEW standing");
-        execute(file, "ALTER TABLE runs DROP COLUMN proposed");
-        execute(file, "CREATE VIEW standing AS SELECT * FROM attempts");
-        execute(file, "PRAGMA user_version = 1");
-        const Gradebook book(file, access);
-        REQUIRE(book.last_run().has_value());
-        CHECK((book.last_run() == sample_run()));
-        CHECK(book.latest("carla").empty());
-    }
+    for (const int version : {1, 2})
+        for (const auto access :
+             {Gradebook::Access::write, Gradebook::Access::read}) {
+            std::filesystem::remove(file);
+            {
+                Gradebook made(file);
+                const int run = made.begin_run(sample_run());
+                made.record(run,
+                            {"carla", "e", "k", *all_accepted()[0], "now"});
+            }
+            make_older(file, version);
+            const Gradebook book(file, access);
+            REQUIRE(book.last_run().has_value());
+            CHECK((book.last_run() == sample_run()));
+            CHECK(book.latest("carla").size() == 1);
+            CHECK(book.history("carla").size() == 1);
+            CHECK(book.set_by_hand("carla").empty());
+        }
 }
 
 TEST_CASE("a missing file or folder is named") {

@@ -4,6 +4,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <fstream>
 
@@ -73,9 +74,14 @@ Trial can_be_written(const std::filesystem::path& folder) {
 }
 
 int doctor(const Desk& desk) {
-    const Exercise exercise = exercise_named("face_sides");
+    // A copy for one assignment may be without the one that is tried here.
+    const std::vector<Exercise> all = all_exercises();
+    const auto found = std::find_if(
+        all.begin(), all.end(),
+        [](const Exercise& one) { return one.name == "face_sides"; });
+    const Exercise exercise = found != all.end() ? *found : all.at(0);
     std::vector<Trial> trials = {compiler_answers(), suites_build(exercise)};
-    if (trials.back().complaint.empty())
+    if (trials.back().complaint.empty() && found != all.end())
         for (Trial& trial : std::vector<Trial>{
                  gets(exercise, "return he[i].vi - 99;", Verdict::wrong_answer),
                  gets(exercise, "for (;;) i = he[i].next;",

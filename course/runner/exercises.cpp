@@ -25,6 +25,13 @@ std::string readme_of(const std::string& topic) {
     return fs::exists(file) ? read_file(file) : "";
 }
 
+/// Of some exercises a copy for one assignment has no more: the course includes
+/// their contracts.
+bool is_contract_only(const Exercise& exercise) {
+    return !fs::exists(exercise.skeleton()) &&
+           !fs::exists(exercise.statement());
+}
+
 /// Exercises of one topic, in the order in which its README names them.
 std::vector<Exercise> exercises_of(const fs::path& folder) {
     std::vector<Exercise> list;
@@ -32,6 +39,7 @@ std::vector<Exercise> exercises_of(const fs::path& folder) {
         if (entry.path().extension() != ".h") continue;
         Exercise exercise{folder.filename(), entry.path().stem()};
         exercise.is_data = fs::exists(folder / (exercise.name + ".csv"));
+        if (is_contract_only(exercise)) continue;
         list.push_back(std::move(exercise));
     }
     const std::string readme = readme_of(folder.filename());

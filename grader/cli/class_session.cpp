@@ -193,7 +193,7 @@ course::Descriptor make_and_lock(const fs::path& folder) {
 
 }  // namespace
 
-std::optional<Assignment> chosen_assignment(const fs::path& file) {
+std::optional<Assignment> assignment_in(const fs::path& file) {
     if (file.empty()) return std::nullopt;
     try {
         return read_assignment(file, names_of(course::all_exercises()));
@@ -224,7 +224,7 @@ void ClassOptions::add_to(CLI::App& app) {
 }
 
 ClassSession::ClassSession(const ClassOptions& options)
-    : chosen_(chosen_assignment(options.assignment)),
+    : chosen_(assignment_in(options.assignment)),
       run_(class_run(options, chosen_)),
       assignment_(chosen_ ? *chosen_
                           : default_assignment(names_of(run_.exercises))),

@@ -13,6 +13,10 @@
 
 namespace grader {
 
+/// The assignment that the file describes; none without a file. Throws
+/// CannotBegin with every mistake in it.
+std::optional<Assignment> assignment_in(const std::filesystem::path& file);
+
 struct ClassOptions {
     std::filesystem::path dir;
     std::filesystem::path out;
@@ -24,10 +28,6 @@ struct ClassOptions {
 
     void add_to(CLI::App& app);
 };
-
-/// The assignment of that file; none without a file. Throws CannotBegin with
-/// every mistake in it.
-std::optional<Assignment> chosen_assignment(const std::filesystem::path& file);
 
 /// A class and the folder with its gradebook, which nobody else grades into as
 /// long as this lives.

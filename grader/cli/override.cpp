@@ -69,7 +69,7 @@ void print_outcome(const Options& options, const GradeByHand& grade,
 
 int override_command(const Options& options) {
     // Before anything is written down: a mistake in the file must show first.
-    const auto assignment = chosen_assignment(options.assignment);
+    const auto assignment = assignment_in(options.assignment);
     Gradebook gradebook = gradebook_in(options.out, Gradebook::Access::write);
     const Run run = gradebook.last_run().value_or(Run());
     const Suite& suite = suite_named(run, options.exercise);

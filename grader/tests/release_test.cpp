@@ -1,16 +1,19 @@
 // The student's copy: nothing of the solutions and of the grader is in it, and
 // it builds and works on its own.
+#include "grader/pipeline/leaks.h"
+
 #include <fmt/format.h>
 #include <sys/wait.h>
 
 #include <fstream>
 #include <set>
-#include <sstream>
 
 #include "course/runner/catch2.h"
 #include "course/runner/exercises.h"
 #include "course/runner/process.h"
 #include "course/runner/temporary_folder.h"
+
+using grader::Leak;
 
 namespace fs = std::filesystem;
 
@@ -24,9 +27,13 @@ course::Finished run(const std::vector<std::string>& arguments,
     return course::run(command, most, std::size_t{1} << 20);
 }
 
-course::Finished release(const fs::path& to) {
-    return run({course::build_root() / "grader" / "grader", "release", to},
-               std::chrono::seconds(100));
+course::Finished release(const fs::path& to,
+                         const std::vector<std::string>& more = {"--quick"},
+                         std::chrono::minutes most = std::chrono::minutes(5)) {
+    std::vector<std::string> arguments = {
+        course::build_root() / "grader" / "grader", "release", to};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return run(arguments, most);
 }
 
 int code(const course::Finished& finished) {
@@ -60,54 +67,28 @@ std::set<std::string> files_below(const fs::path& folder) {
     return files;
 }
 
-std::string trimmed(const std::string& line) {
-    const auto first = line.find_first_not_of(" \t\r");
-    if (first == std::string::npos) return "";
-    return line.substr(first, line.find_last_not_of(" \t\r") - first + 1);
-}
-
-std::set<std::string> lines_of(const fs::path& file) {
-    std::set<std::string> lines;
-    std::istringstream in(course::read_file(file));
-    for (std::string line; std::getline(in, line);) lines.insert(trimmed(line));
-    return lines;
-}
-
-/// The lines, and those that begin the definition of what they declare.
-std::set<std::string> with_heads(std::set<std::string> lines) {
-    for (const std::string& line : std::set<std::string>(lines))
-        if (!line.empty() && line.back() == ';')
-            lines.insert(line.substr(0, line.size() - 1) + " {");
-    return lines;
-}
-
-/// Whether anyone writes this line who has such data: it gives nothing away.
-bool is_idiom(const std::string& line) {
-    static const std::set<std::string> idioms = {
-        "std::vector<int> corners(face.begin(), face.end());",
-        "std::min_element(corners.begin(), corners.end()),",
-        "std::rotate(face.begin(), std::min_element(face.begin(), "
-        "face.end()),",
-        "const WingedEdge& edge = mesh.edges[static_cast<std::size_t>(e)];",
-        "std::istringstream left(line.substr(0, line.find('#')));",
-    };
-    return line.rfind("for (", 0) == 0 || idioms.contains(line);
-}
-
-/// Lines of references too long to be there by accident, without those that
-/// the student is given in the contract or the skeleton.
-std::set<std::string> secret_lines() {
-    constexpr std::size_t by_accident = 40;
-    std::set<std::string> secret;
-    for (const course::Exercise& exercise : course::all_exercises()) {
-        const auto given = with_heads(lines_of(exercise.contract()));
-        const auto skeleton = lines_of(exercise.skeleton());
-        for (const std::string& line : lines_of(exercise.solution()))
-            if (line.size() > by_accident && !is_idiom(line) &&
-                !given.count(line) && !skeleton.count(line))
-                secret.insert(line);
+/// A few files that stand for a copy.
+struct SmallCopy {
+    SmallCopy& file(const std::string& name, const std::string& text) {
+        fs::create_directories((folder / name).parent_path());
+        std::ofstream(folder / name) << text;
+        return *this;
     }
-    return secret;
+    std::vector<Leak> leaks() const { return grader::leaks_in(folder.path()); }
+
+    course::TemporaryFolder folder;
+};
+
+std::string suite_of_face_sides() {
+    return course::read_file(course::source_root() / "grader" / "suites" /
+                             "01_traversal" / "face_sides_test.cpp");
+}
+
+fs::path assignment(const course::TemporaryFolder& folder,
+                    const std::string& exercises) {
+    fs::path file = folder / "assignment.toml";
+    std::ofstream(file) << "name = \"One\"\n[exercises]\n" << exercises;
+    return file;
 }
 
 std::set<std::string> names_in(const fs::path& folder) {
@@ -149,15 +130,9 @@ TEST_CASE("the copy keeps an original of each file that a student edits") {
     }
 }
 
-TEST_CASE("no file of solutions, grader or the sample class is in the copy") {
+TEST_CASE("the sample class is not in the copy, and nothing that was built") {
     const auto files = files_below(copy());
     CHECK(files.size() > 100);
-    std::set<std::string> withheld;
-    for (const char* folder : {"solutions", "grader"})
-        for (const auto& file : files_below(course::source_root() / folder))
-            withheld.insert(
-                course::read_file(course::source_root() / folder / file));
-    withheld.erase("");
     for (const std::string& file : files) {
         INFO(file);
         CHECK_FALSE(contains(file, "solutions"));
@@ -165,22 +140,126 @@ TEST_CASE("no file of solutions, grader or the sample class is in the copy") {
         CHECK_FALSE(contains(file, "sample_class"));
         CHECK_FALSE(contains(file, ".build"));
         CHECK_FALSE(contains(file, ".git/"));
-        CHECK(withheld.count(course::read_file(copy() / file)) == 0);
     }
 }
 
-TEST_CASE("no line of a reference that gives something away is in the copy") {
-    const std::set<std::string> secret = secret_lines();
-    CHECK(secret.size() >= 20);
-    for (const std::string& file : files_below(copy())) {
-        const std::string text = course::read_file(copy() / file);
-        for (const std::string& line : secret) {
-            // The course checks its own tables: what the exercise validate asks
-            // for cannot be kept from who looks for it there.
-            if (file == "course/halfedge/validate.cpp") continue;
-            INFO(file << ": " << line);
-            if (contains(text, line)) FAIL_CHECK("a line of a reference");
-        }
+TEST_CASE("nothing hidden is in the copy") {
+    CHECK(grader::secret_lines().size() >= 20);
+    for (const Leak& leak : grader::leaks_in(copy())) FAIL_CHECK(text_of(leak));
+}
+
+TEST_CASE("a line of a reference is found, wherever it stands") {
+    const std::string line = *grader::secret_lines().begin();
+    SmallCopy small;
+    small.file("course/notes.md", "One\n\n  // " + line + " // so\n");
+    const auto leaks = small.leaks();
+    REQUIRE(leaks.size() == 1);
+    CHECK(leaks[0].file == "course/notes.md");
+    CHECK(leaks[0].line == 3);
+    CHECK(contains(text_of(leaks[0]), "course/notes.md:3: "));
+    CHECK(contains(text_of(leaks[0]), line));
+}
+
+TEST_CASE("the name of a hidden case is found, also broken into two lines") {
+    SmallCopy small;
+    small
+        .file("a_test.cpp",
+              "\nTEST_CASE(\"faces that come to a vertex twice, or share "
+              "several edges\",\n   \"[points:1]\") {}\n")
+        .file("b_test.cpp",
+              "TEST_CASE(\n    \"border half-edges of every mesh \"\n"
+              "    \"have no face\") {}\n")
+        .file("c.html",
+              "<td>\n<b>border half-edges\nof every mesh have no "
+              "face</b>")
+        .file("d.md",
+              "A phrase: border half-edges of every mesh have no face, "
+              "as others.");
+    std::set<std::string> found;
+    for (const Leak& leak : small.leaks())
+        found.insert(leak.file + ":" + std::to_string(leak.line));
+    CHECK(found ==
+          std::set<std::string>{"a_test.cpp:2", "b_test.cpp:2", "c.html:2"});
+}
+
+TEST_CASE("a file of the instructor is found by its bytes and by its place") {
+    SmallCopy small;
+    small.file("exercises/01_traversal/more_test.cpp", suite_of_face_sides())
+        .file("old/grader/notes.txt", "nothing of interest");
+    std::set<std::string> found;
+    for (const Leak& leak : small.leaks())
+        if (leak.line == 0) found.insert(text_of(leak));
+    CHECK(found == std::set<std::string>{
+                       "exercises/01_traversal/more_test.cpp: the same as "
+                       "grader/suites/01_traversal/face_sides_test.cpp",
+                       "old/grader/notes.txt: a file of grader/"});
+}
+
+TEST_CASE("names of cases are read as Catch2 knows them") {
+    CHECK(grader::case_names("TEST_CASE(\"a \\\"b\\\"\", \"[points:2]\") {}\n"
+                             "TEST_CASE(\n  \"c \"\n  \"d\") {}") ==
+          std::vector<std::string>{"a \"b\"", "c d"});
+}
+
+TEST_CASE("the copy for an assignment has its exercises and those they need") {
+    const course::TemporaryFolder folder;
+    const fs::path made = folder / "copy";
+    const course::Finished finished =
+        release(made, {"--quick", "--assignment",
+                       assignment(folder, "simplify = 1\nface_sides = 1\n")});
+    INFO(finished.output);
+    REQUIRE(code(finished) == 0);
+    CHECK(contains(finished.output, "4 exercises"));
+    std::set<std::string> statements;
+    for (const std::string& file : files_below(made / "exercises"))
+        if (file.ends_with(".md") && !file.ends_with("README.md"))
+            statements.insert(file);
+    CHECK(statements == std::set<std::string>{"01_traversal/face_sides.md",
+                                              "09_processing/can_collapse.md",
+                                              "09_processing/collapse.md",
+                                              "09_processing/simplify.md"});
+    CHECK(files_below(made / ".lab" / "originals").size() == 4);
+    CHECK(names_in(made / "exercises").size() >= 2);
+    const std::string page =
+        course::read_file(made / "exercises" / "01_traversal" / "README.md");
+    CHECK(contains(page, "](face_sides.md)"));
+    CHECK_FALSE(contains(page, "](face_vertices.md)"));
+    CHECK_FALSE(fs::exists(made / "course" / "tests" / "lab_test.cpp"));
+}
+
+TEST_CASE("a mistake in the assignment is named, and nothing is made") {
+    const course::TemporaryFolder folder;
+    const course::Finished finished = release(
+        folder / "copy",
+        {"--quick", "--assignment", assignment(folder, "face_size = 1\n")});
+    CHECK(code(finished) == 2);
+    CHECK(contains(finished.output, "face_sides"));
+    CHECK(names_in(folder.path()) == std::set<std::string>{"assignment.toml"});
+}
+
+TEST_CASE("the archive holds the copy, and equal copies give equal archives") {
+    const course::TemporaryFolder folder;
+    const std::string file = assignment(folder, "face_sides = 1\n");
+    for (const char* name : {"one", "two"}) {
+        const fs::path made = folder / name;
+        REQUIRE(code(release(made / "copy",
+                             {"--quick", "--assignment", file, "--zip",
+                              made.string() + ".zip"})) == 0);
+    }
+    CHECK(course::read_file(folder / "one.zip") ==
+          course::read_file(folder / "two.zip"));
+    fs::create_directory(folder / "out");
+    REQUIRE(code(run({"cmake", "-E", "chdir", folder / "out", "cmake", "-E",
+                      "tar", "xf", folder / "one.zip"},
+                     std::chrono::seconds(60))) == 0);
+    const fs::path copy = folder / "one" / "copy",
+                   got = folder / "out" / "copy";
+    CHECK(files_below(got) == files_below(copy));
+    for (const std::string& name : files_below(copy)) {
+        INFO(name);
+        CHECK(course::read_file(got / name) == course::read_file(copy / name));
+        CHECK(fs::status(got / name).permissions() ==
+              fs::status(copy / name).permissions());
     }
 }
 
@@ -237,29 +316,19 @@ TEST_CASE("an empty folder is taken, with a slash at its end, too") {
 }
 
 TEST_CASE("the copy builds and checks on its own", "[slow]") {
-    const fs::path build = copy() / ".build";
-    const course::Finished configured =
-        run({"cmake", "-S", copy(), "-B", build, "-DCOURSE_TESTS=OFF"},
-            std::chrono::minutes(10));
-    INFO(configured.output);
-    REQUIRE(code(configured) == 0);
-    const course::Finished built = run(
-        {"cmake", "--build", build, "--target", "lab_ready", "--parallel", "2"},
-        std::chrono::minutes(40));
-    INFO(built.output);
-    REQUIRE(code(built) == 0);
-    const std::string lab = build / "course" / "lab";
-    const course::Finished failed =
-        run({lab, "check", "face_sides"}, std::chrono::minutes(2));
-    INFO(failed.output);
-    CHECK(code(failed) == 1);
-    CHECK(contains(failed.output, "FAILED"));
-    CHECK(contains(failed.output, "lab hint face_sides"));
-    const course::Finished passed = run({lab, "check", "face_sides", "--file",
-                                         course::source_root() / "solutions" /
-                                             "01_traversal" / "face_sides.cpp"},
-                                        std::chrono::minutes(2));
-    INFO(passed.output);
-    CHECK(code(passed) == 0);
-    CHECK(code(run({lab, "list"}, std::chrono::minutes(1))) == 0);
+    const course::TemporaryFolder folder;
+    const fs::path made = folder / "copy";
+    const auto before = std::set<std::string>{"assignment.toml", "copy"};
+    const course::Finished finished =
+        release(made,
+                {"--assignment",
+                 assignment(folder, "complete_table = 1\nface_sides = 1\n")},
+                std::chrono::minutes(40));
+    INFO(finished.output);
+    REQUIRE(code(finished) == 0);
+    CHECK(contains(finished.output, "2 exercises"));
+    CHECK(contains(finished.output, "built and tried"));
+    CHECK(names_in(folder.path()) == before);
+    CHECK_FALSE(fs::exists(made / ".build"));
+    CHECK_FALSE(fs::exists(made / ".lab" / "progress"));
 }

@@ -97,7 +97,8 @@ int release_copy(const Options& options,
     Making making(dir);
     const fs::path& copy = making.begin();
     make_student_copy(copy, exercises);
-    if (!holds_nothing_hidden(copy)) return refuse("this is the instructor's");
+    if (!holds_nothing_hidden(copy))
+        return refuse("it would give away what is named above");
     if (!options.is_quick && !works(copy, exercises))
         return refuse("the copy does not work");
     making.finish();

@@ -24,6 +24,7 @@ int main(int argc, char** argv) {
     grader::add_history(program, code);
     grader::add_diff(program, code);
     grader::add_override(program, code);
+    grader::add_export(program, code);
     grader::add_release(program, code);
     grader::add_doctor(program, code);
     grader::add_work(program, code);

@@ -57,6 +57,8 @@ bool say(const fs::path& table, const FilledTable& filled) {
 
 template <class Fill>
 bool fill(const fs::path& table, const fs::path& to, const Fill& fill_in) {
+    if (!fs::is_regular_file(table))
+        throw CannotBegin(fmt::format("{} is no file", table.string()));
     try {
         const std::string text = course::read_file(table);
         const FilledTable filled = fill_in(text);

@@ -150,8 +150,8 @@ void CsvTable::set(std::size_t row, std::size_t column,
                    std::string_view value) {
     const Cell cell = rows_.at(row).cells.at(column);
     const bool was_quoted = cell.begin < cell.end && text_[cell.begin] == '"';
-    const bool must_be = value.find_first_of("\"\r\n,;\t") != value.npos ||
-                         value.starts_with(' ') || value.ends_with(' ');
+    const std::string special = std::string("\"\r\n") + separator_;
+    const bool must_be = value.find_first_of(special) != value.npos;
     replaced_[cell.begin] = {
         cell.end, was_quoted || must_be ? quoted(value) : std::string(value)};
 }

@@ -18,10 +18,11 @@ struct Grade {
     std::string student;  ///< name of the folder: any bytes
     std::string key;      ///< what the platform knows them by; may be empty
     std::string person;   ///< their name, or that of the team
-    std::optional<double> total;  ///< none: not graded, see `status`
+    std::optional<double> total = {};  ///< none: not graded, see `status`
     double max = 0;
     Status status = Status::not_judged;
-    std::string feedback;  ///< one line for the student, without their words
+    std::string feedback =
+        {};  ///< one line for the student, without their words
 };
 
 /// Of every student of the run; `from` is where their names come from.

@@ -6,6 +6,7 @@
 #include "grader/report/canvas_gradebook.h"
 #include "grader/report/class_summary.h"
 #include "grader/report/moodle_worksheet.h"
+#include "grader/report/results_json.h"
 
 namespace grader {
 
@@ -14,7 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 
 struct Options {
-    fs::path out, assignment, moodle, canvas, to;
+    fs::path out, assignment, moodle, canvas, to, json;
     std::string column;
     MoodleOptions columns;
 };
@@ -79,12 +80,17 @@ Assignment assignment_of(const Options& options, const Gradebook& gradebook) {
 }
 
 int export_command(const Options& options) {
+    if (options.moodle.empty() && options.canvas.empty() &&
+        options.json.empty())
+        throw CannotBegin("--moodle, --canvas or --json: export to what?");
     if (!options.to.empty() && options.moodle.empty() == options.canvas.empty())
         throw CannotBegin("--to is for one table: --moodle or --canvas");
     const Gradebook gradebook(options.out / "gradebook.sqlite",
                               Gradebook::Access::read);
-    const ClassSummary results =
-        summary_of(gradebook, assignment_of(options, gradebook));
+    const Assignment assignment = assignment_of(options, gradebook);
+    if (!options.json.empty())
+        course::replace_text(options.json, results_json(gradebook, assignment));
+    const ClassSummary results = summary_of(gradebook, assignment);
     bool is_whole = true;
     if (!options.moodle.empty())
         is_whole &= fill(options.moodle, options.to, [&](const auto& text) {
@@ -118,6 +124,9 @@ void add_export(CLI::App& program, int& code) {
     CLI::Option* canvas =
         command->add_option("--canvas", options->canvas,
                             "Canvas's gradebook: one column is filled in");
+    command->add_option("--json", options->json,
+                        "all results for other programs, in a new file "
+                        "(grader/report/results_json.h says what is in it)");
     command->add_option("--to", options->to,
                         "the filled table (default: in its place, with a "
                         "backup beside it)");

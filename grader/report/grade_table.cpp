@@ -17,9 +17,19 @@ namespace {
 
 using Rows = std::vector<const PersonRow*>;
 
+/// "Anna Rossi_1234", as ingest shortens the names of exports.
+std::optional<PlatformName> parse_short(const std::string& name) {
+    const auto last = name.find_last_not_of("0123456789");
+    if (last == name.npos || last == 0 || last + 1 == name.size() ||
+        name[last] != '_')
+        return std::nullopt;
+    return PlatformName{name.substr(0, last), name.substr(last + 1)};
+}
+
 PlatformName name_of(const Student& student, Platform from) {
     const auto parse = from == Platform::canvas ? parse_canvas : parse_moodle;
-    return parse(student.name).value_or(PlatformName{student.name, ""});
+    if (const auto name = parse(student.name)) return *name;
+    return parse_short(student.name).value_or(PlatformName{student.name, ""});
 }
 
 std::string feedback(const ClassSummary& results, const Scores& scores,
@@ -104,13 +114,12 @@ public:
 
 private:
     Rows rows_of(const Grade& grade) {
-        const bool has_key = !grade.key.empty();
-        Rows found =
-            rows_.empty()
-                ? Rows()
-                : rows_by_key(rows_, has_key ? grade.key : grade.student);
-        if (found.empty() && !has_key)
-            found = rows_by_name(rows_, grade.person);
+        if (rows_.empty()) return {};
+        Rows found;
+        if (!grade.key.empty()) found = rows_by_key(rows_, grade.key);
+        // A folder's whole name is nobody's where it is that of an export.
+        if (found.empty()) found = rows_by_key(rows_, grade.student);
+        if (found.empty()) found = rows_by_name(rows_, grade.student);
         if (found.size() > 1) {
             left("{}: {} all fit, none is taken", who(grade),
                  lines_of(table_, found));

@@ -45,10 +45,10 @@ struct Matches {
     std::vector<std::string> left;  ///< students and rows without the other
 };
 
-/// A grade with a key goes where the key is, or else to all rows of the team;
-/// never by name, as the table may be that of another assignment. One without
-/// goes where the folder's name is a key, or else a name. Where two rows or two
-/// students fit, neither is taken.
+/// A grade goes where its key is; else to the row that has the whole name of
+/// its folder as a key or name; else to all rows of its team. Never by the name
+/// within the folder's: the table may be that of another assignment. Where two
+/// rows or two students fit, neither is taken.
 Matches match(const CsvTable& table, const std::vector<Grade>& grades,
               const std::vector<PersonRow>& rows);
 

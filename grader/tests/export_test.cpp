@@ -1,5 +1,6 @@
 // Grades on their way into the tables of course platforms.
 #include <fstream>
+#include <nlohmann/json.hpp>
 
 #include "course/report/text.h"
 #include "course/runner/temporary_folder.h"
@@ -188,6 +189,22 @@ TEST_CASE("another assignment's worksheet takes no grade by name") {
                {grade("Anna Rossi_1_assignsubmission_file", "1", "Anna Rossi")},
                left) == sheet);
     CHECK(left.size() == 2);
+}
+
+TEST_CASE("numbers are read from names as exports and ingest write them") {
+    ClassSummary results = summary_of(sample_class());
+    auto& students = results.run.students;
+    students[0].name = "Anna Rossi_1234_assignsubmission_file";
+    students[1].name = "Bruno Bo_77";
+    students[2].name = "rossianna_LATE_55_4711_prev.cpp";
+    students[3].name = "anna_rossi";
+    const auto moodle_grades = grades_for(results, Platform::moodle);
+    CHECK(moodle_grades[0].key == "1234");
+    CHECK(moodle_grades[0].person == "Anna Rossi");
+    CHECK(moodle_grades[1].key == "77");
+    CHECK(moodle_grades[1].person == "Bruno Bo");
+    CHECK(moodle_grades[3].key.empty());
+    CHECK(grades_for(results, Platform::canvas)[2].key == "55");
 }
 
 TEST_CASE("a folder without a number is found by name or address") {
@@ -384,7 +401,8 @@ TEST_CASE("what cannot be exported changes nothing") {
              {"--canvas", other},
              {"--moodle", run.folder / "nothing.csv"},
              {"--moodle", run.sheet, "--grade-column", "Nota"},
-             {"--to", run.folder / "x.csv"}}) {
+             {"--to", run.folder / "x.csv"},
+             {}}) {
         INFO(all_of(arguments));
         const Said said = run.exports(arguments);
         INFO(said.text);
@@ -392,4 +410,41 @@ TEST_CASE("what cannot be exported changes nothing") {
     }
     CHECK(course::read_file(other) == "a,b\n1,2\n");
     CHECK(course::read_file(run.sheet) == run.text);
+}
+
+TEST_CASE("all results are there for other programs, without false grades") {
+    const Exported run;
+    const fs::path file = run.folder / "results.json";
+    const Said said = run.exports({"--json", file});
+    INFO(said.text);
+    REQUIRE(said.code == 0);
+    const auto json = nlohmann::json::parse(course::read_file(file));
+    CHECK(json.at("version") == 1);
+    CHECK(json.at("assignment").at("max") == 35);
+    CHECK(json.at("run").at("seed") == "18446744073709551615");
+    const auto& students = json.at("students");
+    REQUIRE(students.size() == 5);
+    CHECK(students[0].at("name") == "anna.rossi");
+    CHECK(students[0].at("total") == 35);
+    CHECK(students[3].at("total") == 0);
+    CHECK(students[3].at("status") == "nothing submitted");
+    CHECK_FALSE(students[4].contains("total"));
+    CHECK(students[4].at("status") == "grader fault");
+    const auto& failed = students[1].at("exercises")[0];
+    CHECK(failed.at("verdict") == "wrong_answer");
+    CHECK(failed.at("cases")[0].at("failures")[0].at("expected") == "3");
+    CHECK(failed.at("cases")[2].at("is_hidden") == true);
+    CHECK(run.exports({"--json", run.folder / "again.json"}).code == 0);
+    CHECK(course::read_file(run.folder / "again.json") ==
+          course::read_file(file));
+}
+
+TEST_CASE("JSON of hostile names and outputs can be read, and is short") {
+    const Exported run;
+    const fs::path file = run.folder / "results.json";
+    REQUIRE(run.exports({"--json", file}).code == 0);
+    const std::string text = course::read_file(file);
+    CHECK(text.size() < 100'000);  // one student printed a million bytes
+    CHECK(course::visible(text) == text);
+    CHECK(contains(text, "Bruno <script>"));
 }

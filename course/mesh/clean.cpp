@@ -302,9 +302,9 @@ Cleaned fill_holes(const IndexedMesh& mesh, int most_sides) {
 
 Cleaned drop_unused_vertices(const IndexedMesh& mesh) {
     // The new number of each vertex, -1: dropped.
-    std::vector<int> number(mesh.positions.size(), -1);
+    std::vector<int> renamed(mesh.positions.size(), -1);
     const auto use = [&](int v) {
-        if (v >= 0 && v < mesh.vertex_count()) number[at(v)] = 0;
+        if (v >= 0 && v < mesh.vertex_count()) renamed[at(v)] = 0;
     };
     std::for_each(mesh.faces.corners().begin(), mesh.faces.corners().end(),
                   use);
@@ -313,14 +313,14 @@ Cleaned drop_unused_vertices(const IndexedMesh& mesh) {
     Change change{.kind = ChangeKind::vertices_dropped};
     std::vector<Vec3> positions;
     for (int v = 0; v < mesh.vertex_count(); ++v) {
-        if (number[at(v)] == -1) {
+        if (renamed[at(v)] == -1) {
             change.vertices.push_back(v);
             continue;
         }
-        number[at(v)] = static_cast<int>(positions.size());
+        renamed[at(v)] = static_cast<int>(positions.size());
         positions.push_back(mesh.positions[at(v)]);
     }
-    Cleaned cleaned = renumbered(mesh, number, std::move(positions));
+    Cleaned cleaned = renumbered(mesh, renamed, std::move(positions));
     if (!change.vertices.empty()) cleaned.changes.push_back(std::move(change));
     return cleaned;
 }

@@ -18,6 +18,7 @@
 
 #include "course/runner/make_ready.h"
 #include "grader/pipeline/ingest.h"
+#include "grader/pipeline/submission_times.h"
 
 namespace grader {
 
@@ -123,6 +124,21 @@ SubmittedClass submissions_of(const ClassOptions& options,
     }
 }
 
+void add_times(const ClassOptions& options,
+               const std::optional<Assignment>& assignment,
+               SubmittedClass& submitted) {
+    if (options.times.empty()) return;
+    const bool has_zone = assignment && assignment->due;
+    const std::string zone = has_zone ? assignment->due->zone : "UTC";
+    if (options.times == "files") return take_times_of_files(submitted, zone);
+    try {
+        take_times_from(CsvTable(course::read_file(options.times)), zone,
+                        assignment && assignment->in_teams, submitted);
+    } catch (const std::runtime_error& error) {
+        throw CannotBegin(fmt::format("{}: {}", options.times, error.what()));
+    }
+}
+
 /// Two graders in one folder would grade everything twice. Given back by the
 /// system, also when this process is killed.
 course::Descriptor lock_folder(const fs::path& folder) {
@@ -179,6 +195,7 @@ ClassRun class_run(const ClassOptions& options,
     ClassRun run;
     run.exercises = exercises_of(assignment);
     run.submitted = submissions_of(options, run.exercises);
+    add_times(options, assignment, run.submitted);
     if (!assignment) keep_chapters(run, chapters_handed_in(run));
     course::make_ready(run.exercises, {course::JudgeKind::grade});
     run.only = options.only;
@@ -219,6 +236,10 @@ void ClassOptions::add_to(CLI::App& app) {
                    "whose export this is (default: told by its names): "
                    "moodle, canvas, gradescope, github or plain")
         ->check(CLI::IsMember(platforms));
+    app.add_option("--times", times,
+                   "when each student handed in, where the export does not say "
+                   "it: \"files\" (the newest file), or a CSV file of names or "
+                   "numbers and times, or Moodle's grading worksheet");
     judging.add_to(app);
     executor.add_to(app);
 }

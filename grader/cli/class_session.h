@@ -23,6 +23,7 @@ struct ClassOptions {
     std::filesystem::path assignment;
     std::string only;
     std::string platform;  ///< empty: recognised
+    std::string times;     ///< "files", or a table of times; or empty
     JudgingOptions judging;
     ExecutorOptions executor;
 

@@ -79,6 +79,7 @@ void add_diff(CLI::App& program, int& code);
 void add_override(CLI::App& program, int& code);
 void add_export(CLI::App& program, int& code);
 void add_release(CLI::App& program, int& code);
+void add_assignment(CLI::App& program, int& code);
 void add_doctor(CLI::App& program, int& code);
 void add_work(CLI::App& program, int& code);
 

@@ -26,6 +26,7 @@ int main(int argc, char** argv) {
     grader::add_override(program, code);
     grader::add_export(program, code);
     grader::add_release(program, code);
+    grader::add_assignment(program, code);
     grader::add_doctor(program, code);
     grader::add_work(program, code);
     try {

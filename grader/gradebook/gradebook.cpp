@@ -55,6 +55,7 @@ void bring_up_to_date(SQLite::Database& sql) {
         sql.exec("DROP VIEW IF EXISTS standing");
         if (version == 1) sql.exec(from_version_1);
         sql.exec(history_of_version_3);
+        sql.exec(people_of_version_3);
         sql.exec(standing_view);
     }
     sql.exec(fmt::format("PRAGMA user_version = {}", schema_version));
@@ -111,11 +112,23 @@ void insert_note(Connection& db, int run, const std::string& note) {
 }
 
 void insert_student(Connection& db, int run, const Student& student) {
-    execute(db, "INSERT INTO run_students VALUES (?, ?, ?)", run, student.id,
-            student.name);
+    auto row =
+        prepared(db,
+                 "INSERT INTO run_students (run, student, name, person, key, "
+                 "marked_late, submitted_at) VALUES (?, ?, ?, ?, ?, ?, ?)",
+                 run, student.id, student.name, student.person, student.key,
+                 student.marked_late ? 1 : 0);
+    if (student.submitted_at)
+        row->bind(7, *student.submitted_at);
+    else
+        row->bind(7);
+    row->exec();
     for (const std::string& note : student.notes)
         execute(db, "INSERT INTO run_notes VALUES (?, ?, ?)", run, student.id,
                 note);
+    for (const Member& one : student.members)
+        execute(db, "INSERT INTO run_members VALUES (?, ?, ?, ?, ?)", run,
+                student.id, one.name, one.number, one.email);
 }
 
 std::uint64_t seed_of(const std::string& file, const std::string& text) {
@@ -175,18 +188,41 @@ std::vector<Suite> suites_of(Connection& db, int run) {
     return suites;
 }
 
+std::vector<Member> members_of(Connection& db, int run,
+                               const std::string& student) {
+    auto rows = prepared(db,
+                         "SELECT name, number, email FROM run_members "
+                         "WHERE run = ? AND student = ? ORDER BY rowid",
+                         run, student);
+    std::vector<Member> members;
+    while (rows->executeStep())
+        members.push_back({rows->getColumn(0).getString(),
+                           rows->getColumn(1).getString(),
+                           rows->getColumn(2).getString()});
+    return members;
+}
+
+Student student_in(Connection& db, int run, SQLite::Statement& row) {
+    Student student{
+        row.getColumn(0).getString(), row.getColumn(1).getString(), {}};
+    student.person = row.getColumn(2).getString();
+    student.key = row.getColumn(3).getString();
+    student.marked_late = row.getColumn(4).getInt() != 0;
+    if (!row.getColumn(5).isNull())
+        student.submitted_at = row.getColumn(5).getString();
+    student.notes = notes_of(db, run, student.id);
+    student.members = members_of(db, run, student.id);
+    return student;
+}
+
 std::vector<Student> students_of(Connection& db, int run) {
     auto rows = prepared(db,
-                         "SELECT student, name FROM run_students "
+                         "SELECT student, name, person, key, marked_late, "
+                         "submitted_at FROM run_students "
                          "WHERE run = ? ORDER BY rowid",
                          run);
     std::vector<Student> students;
-    while (rows->executeStep()) {
-        Student student{
-            rows->getColumn(0).getString(), rows->getColumn(1).getString(), {}};
-        student.notes = notes_of(db, run, student.id);
-        students.push_back(std::move(student));
-    }
+    while (rows->executeStep()) students.push_back(student_in(db, run, *rows));
     return students;
 }
 

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "course/runner/results.h"
+#include "grader/gradebook/member.h"
 
 namespace SQLite {
 class Exception;
@@ -56,6 +57,13 @@ struct Student {
     std::string id;    ///< safe in file names; the key of every table
     std::string name;  ///< the folder's name: any bytes, data only
     std::vector<std::string> notes;  ///< files ignored or refused, and why
+    /// What the course platform calls them and knows them by; empty where the
+    /// class came from plain folders.
+    std::string person = {}, key = {};
+    std::optional<std::string> submitted_at = {};  ///< ISO 8601, UTC
+    bool marked_late = false;                      ///< by the platform
+    /// All who handed this in, where the platform says so.
+    std::vector<Member> members = {};
 
     friend bool operator==(const Student&, const Student&) = default;
 };

@@ -96,6 +96,24 @@ CREATE TABLE set_by_hand (
 CREATE INDEX set_by_hand_by_student ON set_by_hand (student, exercise);
 )sql";
 
+/// What version 3 added for students who come from a course platform; a new
+/// gradebook gets it like an older one.
+inline constexpr const char* people_of_version_3 = R"sql(
+ALTER TABLE run_students ADD COLUMN person TEXT NOT NULL DEFAULT '';
+-- What the platform's own tables know them by.
+ALTER TABLE run_students ADD COLUMN key TEXT NOT NULL DEFAULT '';
+ALTER TABLE run_students ADD COLUMN submitted_at TEXT;  -- NULL: not known
+ALTER TABLE run_students ADD COLUMN marked_late INTEGER NOT NULL DEFAULT 0;
+CREATE TABLE run_members (
+    run INTEGER NOT NULL REFERENCES runs,
+    student TEXT NOT NULL,
+    name TEXT NOT NULL,
+    number TEXT NOT NULL,
+    email TEXT NOT NULL
+);
+CREATE INDEX run_members_by_student ON run_members (run, student);
+)sql";
+
 /// One row per student and exercise, for instructors. `points` are those that
 /// the grader found; where `set_points` is not NULL, it counts instead.
 inline constexpr const char* standing_view = R"sql(

@@ -143,6 +143,12 @@ private:
         return name;
     }
 
+    std::optional<FileTime> time_of(archive_entry* head) const {
+        if (format_ == ArchiveFormat::zip) return listed(head).modified;
+        if (archive_entry_mtime_is_set(head) == 0) return std::nullopt;
+        return FileTime{archive_entry_mtime(head), false};
+    }
+
     const ZipEntry& listed(archive_entry* head) const {
         if (index_ > directory_.size()) throw unlike_directory();
         const ZipEntry& entry = directory_[index_ - 1];
@@ -163,6 +169,7 @@ private:
             return entry;
         }
         entry.path = plain_path(*name);
+        entry.modified = time_of(head);
         entry.kind =
             archive_entry_filetype(head) == AE_IFDIR || name->ends_with('/')
                 ? ArchiveEntry::Kind::folder

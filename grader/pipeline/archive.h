@@ -10,6 +10,8 @@
 #include <string>
 #include <string_view>
 
+#include "grader/pipeline/file_time.h"
+
 namespace grader {
 
 /// The archive is broken, is none, or holds more than the limits allow.
@@ -49,6 +51,7 @@ struct ArchiveEntry {
     std::string path;
     std::string refusal;               ///< why, of a refused entry
     std::optional<std::string> bytes;  ///< of a file that is wanted
+    std::optional<FileTime> modified = {};
 };
 
 /// How many bytes a file of that path may have; nothing: it is not wanted, and

@@ -140,7 +140,7 @@ void Collector::offer(const std::string& path,
     const std::size_t instead =
         known == found_.end() ? 0 : known->second.stored.size;
     if (has_room(path, file.bytes->size(), instead))
-        keep(found_[name], path, *file.bytes);
+        keep(found_[name], path, file);
 }
 
 /// Whether a file may be taken in the place of so many bytes; false with a
@@ -164,7 +164,8 @@ bool Collector::has_room(const std::string& path, std::size_t size,
 }
 
 void Collector::keep(Candidate& candidate, const std::string& path,
-                     std::string_view bytes) {
+                     const ReadFile& file) {
+    const std::string& bytes = *file.bytes;
     if (candidate.path == path)
         note(path +
              ": is in the archive more than once: the last of them counts");
@@ -174,6 +175,7 @@ void Collector::keep(Candidate& candidate, const std::string& path,
     written_ += bytes.size();
     candidate.path = path;
     candidate.stored = spool_.keep(bytes);
+    candidate.modified = file.modified;
 }
 
 void Collector::pass_over(const std::string& path) {
@@ -201,6 +203,8 @@ Submission Collector::finish() {
         if (found == found_.end()) continue;
         note_others(name, found->second);
         file = found->second.stored;
+        if (const auto& time = found->second.modified)
+            submission_.modified.push_back(*time);
     }
     if (!unasked_.empty())
         note(fmt::format("ignored, as no exercise asks for them: {}",

@@ -71,12 +71,13 @@ private:
         Stored stored;
         std::string path;
         std::vector<std::string> others;  ///< paths of the same name
+        std::optional<FileTime> modified = {};
     };
 
     bool has_room(const std::string& path, std::size_t size,
                   std::size_t instead);
     void keep(Candidate& candidate, const std::string& path,
-              std::string_view bytes);
+              const ReadFile& file);
     void note_others(const std::string& name, Candidate& candidate);
 
     const std::vector<std::string>& file_names_;

@@ -96,6 +96,7 @@ OpenedFile open_file(int folder, const std::string& name, std::size_t most) {
         return opened;
     }
     opened.size = static_cast<std::size_t>(status.st_size);
+    opened.modified = FileTime{status.st_mtim.tv_sec, false};
     if (!S_ISREG(status.st_mode))
         opened.why_not = "is not a regular file: refused";
     else if (opened.size > most)
@@ -107,7 +108,9 @@ OpenedFile open_file(int folder, const std::string& name, std::size_t most) {
 ReadFile read_file(int folder, const std::string& name, std::size_t most) {
     const OpenedFile opened = open_file(folder, name, most);
     if (!opened.why_not.empty()) return {{}, opened.why_not};
-    return read_bytes(opened.file.get(), opened.size);
+    ReadFile file = read_bytes(opened.file.get(), opened.size);
+    file.modified = opened.modified;
+    return file;
 }
 
 }  // namespace grader

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "course/runner/descriptors.h"
+#include "grader/pipeline/file_time.h"
 
 namespace grader {
 
@@ -35,6 +36,7 @@ struct OpenedFile {
     course::Descriptor file;
     std::size_t size = 0;
     std::string why_not;
+    std::optional<FileTime> modified = {};
 };
 
 OpenedFile open_file(int folder, const std::string& name, std::size_t most);
@@ -43,6 +45,7 @@ OpenedFile open_file(int folder, const std::string& name, std::size_t most);
 struct ReadFile {
     std::optional<std::string> bytes;
     std::string why_not;
+    std::optional<FileTime> modified = {};
 };
 
 ReadFile read_file(int folder, const std::string& name, std::size_t most);

@@ -13,6 +13,18 @@ using course::Exercise;
 using course::ExerciseResult;
 using course::Verdict;
 
+/// As the gradebook keeps them.
+Student student_of(const Submission& submission) {
+    Student student{submission.id, submission.student, submission.notes};
+    student.person = submission.person;
+    student.key = submission.key;
+    if (submission.submitted_at)
+        student.submitted_at = text_of(*submission.submitted_at);
+    student.marked_late = submission.marked_late;
+    student.members = submission.members;
+    return student;
+}
+
 class Grading {
 public:
     Grading(const ClassRun& run, Gradebook& gradebook)
@@ -72,8 +84,7 @@ void Grading::begin() {
                                 keys_.suite_version(exercise),
                                 course::planned_points(exercise)});
     for (const Submission& submission : run_.submitted.submissions)
-        facts.students.push_back(
-            {submission.id, submission.student, submission.notes});
+        facts.students.push_back(student_of(submission));
     result_.run = gradebook_.begin_run(facts);
 }
 

@@ -342,7 +342,7 @@ private:
         const auto format = opened_as(name_in(path), collector);
         if (collector.wants(name_in(path)))
             collector.offer(path, [&] {
-                return ReadFile{std::move(entry.bytes), {}};
+                return ReadFile{std::move(entry.bytes), {}, entry.modified};
             });
         else if (!format)
             collector.pass_over(path);

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "grader/gradebook/member.h"
+#include "grader/pipeline/file_time.h"
 #include "grader/pipeline/lateness.h"
 #include "grader/pipeline/platform_names.h"
 #include "grader/pipeline/spool.h"
@@ -58,6 +59,7 @@ struct Submission {
     std::vector<Member> members;     ///< of a team, where the export says them
     bool marked_late = false;        ///< by the platform
     std::optional<Instant> submitted_at;  ///< where it is known
+    std::vector<FileTime> modified;       ///< of the files, where that is known
 };
 
 /// Whether that is the submission's id, folder, person or number.

@@ -37,6 +37,16 @@ Time parsed(const std::string& text, const char* format) {
     return time;
 }
 
+/// As Moodle writes it in English.
+std::optional<local_seconds> moodle_time(const std::string& text) {
+    local_seconds time;
+    std::istringstream in(text);
+    in >> date::parse("%A, %d %B %Y, %I:%M %p", time);
+    if (in.fail() || in.peek() != std::istringstream::traits_type::eof())
+        return std::nullopt;
+    return time;
+}
+
 double factor_of(const LatePolicy& policy, int days) {
     if (policy.last_day && days > *policy.last_day) return 0;
     switch (policy.kind) {
@@ -71,6 +81,8 @@ Instant instant_in(const std::string& text, const std::string& zone) {
     static const std::regex form(
         R"((\d{4}-\d\d-\d\d)[T ](\d\d:\d\d)(:\d\d)?(?:\.\d{1,12})?)"
         R"( ?(?:(Z|UTC)|([+-])(\d\d):?(\d\d))?)");
+    if (const auto time = moodle_time(text))
+        return zone_of(zone).to_sys(*time, date::choose::latest);
     std::smatch part;
     if (text.size() > 60 || !std::regex_match(text, part, form))
         throw TimeError(
@@ -89,6 +101,11 @@ Instant instant_in(const std::string& text, const std::string& zone) {
 
 std::string text_of(Instant instant) {
     return date::format("%FT%TZ", instant);
+}
+
+std::string text_in(Instant instant, const std::string& zone) {
+    return date::format("%F %H:%M %Z",
+                        date::make_zoned(&zone_of(zone), instant));
 }
 
 Lateness lateness(const DueDate& due, const LatePolicy& policy,

@@ -26,8 +26,12 @@ Instant instant_of(const std::string& local, const std::string& zone);
 Instant instant_of(const std::string& utc);
 std::string text_of(Instant instant);
 
+/// "2026-12-11 23:59 CET": what the clocks of the zone show. Throws TimeError.
+std::string text_in(Instant instant, const std::string& zone);
+
 /// Any of "2026-12-11T22:59:00Z", "2026-12-11 23:59:00.123 +0100",
-/// "2026-12-11T23:59+01:00", or without an offset by the clocks of the zone.
+/// "2026-12-11T23:59+01:00", or without an offset by the clocks of the zone;
+/// also "Friday, 11 December 2026, 11:59 PM", as Moodle writes it in English.
 /// Parts of a second are dropped. Throws TimeError.
 Instant instant_in(const std::string& text, const std::string& zone);
 

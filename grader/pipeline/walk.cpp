@@ -71,7 +71,9 @@ MostBytes wanted_in(const std::string& archive, const IngestLimits& limits,
 void look_at_file_in_archive(ArchiveEntry& entry, const std::string& path,
                              Collector& to) {
     if (entry.bytes)
-        to.offer(path, [&] { return ReadFile{std::move(entry.bytes), {}}; });
+        to.offer(path, [&] {
+            return ReadFile{std::move(entry.bytes), {}, entry.modified};
+        });
     else if (opened_as(name_in(path), to))
         to.note(path + ": is an archive in an archive: not opened");
     else

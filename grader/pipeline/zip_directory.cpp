@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <string_view>
 
 #include "course/report/text.h"
@@ -121,15 +122,42 @@ Place find_directory(int fd) {
     return place;
 }
 
-/// The zip64 field among the extra fields; empty where there is none.
-std::string_view zip64_field(std::string_view extra) {
+constexpr std::uint64_t zip64_kind = 1;
+constexpr std::uint64_t times_kind = 0x5455;  // "UT": seconds since 1970
+
+/// That field among the extra fields; empty where there is none.
+std::string_view extra_field(std::string_view extra, std::uint64_t kind) {
     while (extra.size() >= 4) {
         const std::size_t size = number(extra, 2, 2);
         if (size > extra.size() - 4) break;
-        if (number(extra, 0, 2) == 1) return extra.substr(4, size);
+        if (number(extra, 0, 2) == kind) return extra.substr(4, size);
         extra.remove_prefix(4 + size);
     }
     return {};
+}
+
+/// Of the clock that the zip's maker saw, with steps of two seconds.
+std::optional<FileTime> clock_time(std::uint64_t day, std::uint64_t time) {
+    const std::chrono::year_month_day date(
+        std::chrono::year(static_cast<int>(1980 + (day >> 9))),
+        std::chrono::month(static_cast<unsigned>(day >> 5 & 15)),
+        std::chrono::day(static_cast<unsigned>(day & 31)));
+    if (!date.ok()) return std::nullopt;
+    const auto days = std::chrono::sys_days(date).time_since_epoch();
+    const std::uint64_t seconds =
+        3600 * (time >> 11) + 60 * (time >> 5 & 63) + 2 * (time & 31);
+    return FileTime{
+        std::chrono::seconds(days).count() + static_cast<std::int64_t>(seconds),
+        true};
+}
+
+std::optional<FileTime> time_of(std::string_view record,
+                                std::string_view extra) {
+    const std::string_view field = extra_field(extra, times_kind);
+    constexpr int of_last_change = 1;
+    if (field.size() >= 5 && (field[0] & of_last_change) != 0)
+        return FileTime{static_cast<std::int32_t>(number(field, 1, 4)), false};
+    return clock_time(number(record, 14, 2), number(record, 12, 2));
 }
 
 /// A size or offset of 32 bits, or of 64 in the field, in which only those
@@ -201,9 +229,10 @@ ZipEntry take_record(int fd, std::string_view& directory,
         throw ArchiveError("the zip file's directory is broken");
     const std::string_view record = directory.substr(0, size);
     directory.remove_prefix(size);
-    std::string_view field =
-        zip64_field(record.substr(46 + name_size, extra_size));
+    const std::string_view extra = record.substr(46 + name_size, extra_size);
+    std::string_view field = extra_field(extra, zip64_kind);
     ZipEntry entry;
+    entry.modified = time_of(record, extra);
     entry.name = record.substr(46, name_size);
     entry.size = wide_number(record, 24, field);
     const std::uint64_t packed_size = wide_number(record, 20, field);

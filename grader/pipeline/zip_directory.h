@@ -4,8 +4,11 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
+
+#include "grader/pipeline/file_time.h"
 
 namespace grader {
 
@@ -15,6 +18,8 @@ struct ZipEntry {
     std::uint64_t size = 0;    ///< inflated, as it says
     std::string name;          ///< any bytes
     bool encrypted = false;
+    /// By its field of times in UTC where it has one, else by the local clock.
+    std::optional<FileTime> modified = {};
 };
 
 /// The entries, ordered by their local headers, as libarchive reads them.

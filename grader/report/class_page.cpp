@@ -103,7 +103,7 @@ Html numbers(const ClassSummary& results) {
 
 Html one_fault(const ClassSummary& results, const Fault& fault) {
     return markup("<li><b><bdi>{}</bdi></b>, {}: {}</li>\n",
-                  results.run.students[fault.student].name,
+                  shown_name(results.run.students[fault.student]),
                   short_name(results.exercises[fault.exercise].exercise),
                   fault.message);
 }
@@ -189,22 +189,26 @@ Html cell(const std::optional<Score>& score) {
 
 Html total_cells(const ClassSummary& results, const Scores& student) {
     const Total sum = total(results, student);
+    const std::string late = late_text(student);
+    const Html below =
+        late.empty() ? Html() : markup("<br><small>{}</small>", late);
     if (!sum.total)
-        return markup(R"(<td class="n first" colspan="2">{}</td>)",
-                      words(status(student)));
-    return markup(R"(<td class="n first"><b>{}</b></td><td class="n">{}</td>)",
-                  course::points_text(*sum.total),
-                  course::percent_text(*sum.total, sum.max));
+        return markup(R"(<td class="n first" colspan="2">{}{}</td>)",
+                      words(status(student)), below);
+    return markup(
+        R"(<td class="n first"><b>{}</b>{}</td><td class="n">{}</td>)",
+        course::points_text(*sum.total), below,
+        course::percent_text(*sum.total, sum.max));
 }
 
 void add_student(Html& page, const ClassSummary& results, std::size_t number,
-                 Columns columns) {
+                 const std::string& name, Columns columns) {
     const Student& student = results.run.students[number];
     const Scores& scores = results.students[number];
     append(page,
            R"(<tr><td class="who"><a href="students/{}/feedback.html">)"
            R"(<bdi>{}</bdi></a></td>)",
-           student.id, student.name);
+           student.id, name);
     for (std::size_t k = columns.first; k < columns.last; ++k)
         append(page, R"(<td class="score {}">{}</td>)",
                begins_chapter(results, columns, k) ? "first" : "",
@@ -231,7 +235,8 @@ void add_table(Html& page, const ClassSummary& results, Columns columns) {
 )",
            chapter_row(results, columns), head_row(results, columns));
     for (std::size_t k = 0; k < results.students.size(); ++k)
-        add_student(page, results, k, columns);
+        for (const Member& one : people_of(results.run.students[k]))
+            add_student(page, results, k, one.name, columns);
     append(page, R"({}</tbody>
 </table>
 )",
@@ -261,7 +266,7 @@ Html by_hand_row(const ClassSummary& results, const SetPoints& set) {
         R"(<tr><td><bdi>{}</bdi></td><td>{}</td><td class="n">{} of {}</td>)"
         R"(<td class="n">{}</td><td>{}</td><td>{}, {}</td></tr>)"
         "\n",
-        results.run.students[set.student].name,
+        shown_name(results.run.students[set.student]),
         short_name(results.exercises[set.exercise].exercise),
         course::points_text(set.grade.points.value_or(0)),
         course::points_text(max_points(results, set.exercise)),
@@ -414,7 +419,7 @@ void add_files(Html& page, const Run& run) {
 )");
     add_notes(page, {"the folder of the class"}, run.notes);
     for (const Student& one : run.students)
-        add_notes(page, markup("<bdi>{}</bdi>", one.name), one.notes);
+        add_notes(page, markup("<bdi>{}</bdi>", shown_name(one)), one.notes);
     append(page, "</tbody>\n</table>\n");
 }
 

@@ -1,5 +1,7 @@
 #include "grader/report/class_results.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <map>
@@ -56,6 +58,10 @@ StudentResults student_results(const Gradebook& gradebook,
     for (Attempt& attempt : gradebook.latest(student.id))
         latest[attempt.exercise] = std::move(attempt.result);
     StudentResults results{student, {}};
+    const Assignment& assignment = graded.assignment;
+    if (assignment.due && student.submitted_at)
+        results.late = lateness(*assignment.due, assignment.late,
+                                instant_of(*student.submitted_at));
     for (const GradedExercise& one : graded.exercises) {
         const auto found = latest.find(one.exercise);
         results.exercises.emplace_back();
@@ -83,6 +89,8 @@ std::optional<Score> score_of(const StudentResults& student, std::size_t k) {
 
 Scores scores_of(const StudentResults& student) {
     Scores scores;
+    scores.late = student.late;
+    scores.marked_late = student.student.marked_late;
     for (std::size_t k = 0; k < student.exercises.size(); ++k)
         scores.push_back(score_of(student, k));
     return scores;
@@ -115,8 +123,44 @@ Total total(const GradedAssignment& graded, const Scores& student) {
     const Status now = status(student);
     const bool is_grade =
         now != Status::grader_fault && now != Status::not_judged;
-    sum = rounded(sum, graded.assignment.rounding);
-    return {is_grade ? std::optional(sum) : std::nullopt, max_total(graded)};
+    const double counts = student.late.factor * sum;
+    const double step = graded.assignment.rounding;
+    return {is_grade ? std::optional(rounded(counts, step)) : std::nullopt,
+            max_total(graded), sum - counts};
+}
+
+std::string late_text(const Scores& student) {
+    const Lateness& late = student.late;
+    if (late.days == 0)
+        return student.marked_late ? "marked as late by the platform" : "";
+    std::string text =
+        late.days == 1 ? "1 day late" : fmt::format("{} days late", late.days);
+    if (late.factor < 1)
+        text += fmt::format(", {} % counts",
+                            course::points_text(100 * late.factor));
+    return text;
+}
+
+std::string submitted_text(const GradedAssignment& graded,
+                           const Student& student) {
+    if (!student.submitted_at) return "";
+    const auto& due = graded.assignment.due;
+    return text_in(instant_of(*student.submitted_at), due ? due->zone : "UTC");
+}
+
+bool has_late(const std::vector<Scores>& students) {
+    return std::any_of(students.begin(), students.end(), [](const Scores& one) {
+        return one.late.days > 0 || one.marked_late;
+    });
+}
+
+const std::string& shown_name(const Student& student) {
+    return student.person.empty() ? student.name : student.person;
+}
+
+std::vector<Member> people_of(const Student& student) {
+    if (!student.members.empty()) return student.members;
+    return {{shown_name(student), student.key, ""}};
 }
 
 double max_total(const GradedAssignment& graded) {
@@ -165,6 +209,10 @@ const Student* find_student(const std::vector<Student>& students,
         if (one.id == id_or_name) return &one;
     for (const Student& one : students)
         if (one.name == id_or_name) return &one;
+    for (const Student& one : students)
+        if (!id_or_name.empty() &&
+            (one.person == id_or_name || one.key == id_or_name))
+            return &one;
     return nullptr;
 }
 

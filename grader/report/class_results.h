@@ -43,6 +43,7 @@ struct StudentResults {
     std::vector<std::optional<course::ExerciseResult>> exercises;
     /// What an instructor set, by number of the exercise.
     std::map<std::size_t, GradeByHand> by_hand = {};
+    Lateness late = {};  ///< in time where it is not known when it came
 };
 
 /// For each exercise the result that counts. Throws GradebookError.
@@ -58,7 +59,11 @@ struct Score {
 };
 
 /// The scores of one student, as StudentResults::exercises.
-using Scores = std::vector<std::optional<Score>>;
+struct Scores : std::vector<std::optional<Score>> {
+    using vector::vector;
+    Lateness late = {};
+    bool marked_late = false;  ///< see Student
+};
 
 /// What counts for that exercise; none when it has no result yet.
 std::optional<Score> score_of(const StudentResults& student,
@@ -79,14 +84,33 @@ std::string_view words(Status status);
 
 Status status(const Scores& student);
 
-/// Weighted points, rounded as the assignment says. `total` has no value where
-/// there is no grade: a fault of ours must never be read as a low grade.
+/// Weighted points, less what lateness costs, rounded as the assignment says.
+/// `total` has no value where there is no grade: a fault of ours must never be
+/// read as a low grade.
 struct Total {
     std::optional<double> total;
     double max = 0;
+    double late_cost = 0;  ///< points that were reached and do not count
 };
 
 Total total(const GradedAssignment& graded, const Scores& student);
+
+/// "2 days late", "2 days late, 80 % counts", "marked as late by the platform";
+/// empty when it came in time or that is not known.
+std::string late_text(const Scores& student);
+
+/// When it came, by the clocks of the assignment's zone; empty: not known.
+std::string submitted_text(const GradedAssignment& graded,
+                           const Student& student);
+
+/// Whether some student was late, or was marked so.
+bool has_late(const std::vector<Scores>& students);
+
+/// Who they are on the platform, and without one the name of the folder.
+const std::string& shown_name(const Student& student);
+
+/// All who handed in: the members, or the student alone.
+std::vector<Member> people_of(const Student& student);
 
 /// Weighted points that every student could have reached, without bonus.
 double max_total(const GradedAssignment& graded);
@@ -112,7 +136,8 @@ std::string points_mark(const Score& score);
 /// Whether a table shows points beside the verdict.
 bool shows_points(const std::optional<Score>& score);
 
-/// The student of that id or, if there is none, of that folder name.
+/// The student of that id or, if there is none, of that folder name, or of that
+/// name or number on the platform.
 const Student* find_student(const std::vector<Student>& students,
                             std::string_view id_or_name);
 

@@ -22,6 +22,11 @@ namespace grader {
 /// empty: a spreadsheet must not take them for a grade of zero.
 /// Where an instructor has set points by hand, these count, and a last column
 /// `set by hand` says for each student of which exercises and why.
+/// total is what counts after lateness. Further columns stand where there is
+/// something to say: `submitted` (ISO 8601, UTC) where times are known, `late`
+/// ("2 days late, 80 % counts") where there is a due date, and `name`, `number`
+/// and `email` of a class from a platform's export: there each member of a team
+/// has a line.
 std::string grades_csv(const ClassSummary& results);
 
 }  // namespace grader

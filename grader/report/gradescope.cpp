@@ -103,6 +103,8 @@ std::string output_text(const GradedAssignment& graded,
                                 short_name(graded.exercises[k].exercise),
                                 course::points_text(score->points),
                                 course::points_text(max_points(graded, k)));
+    if (const std::string late = late_text(scores_of(student)); !late.empty())
+        text += "\n" + late;
     for (const std::string& note : student.student.notes) text += "\n" + note;
     return text;
 }

@@ -1,5 +1,7 @@
 #include "grader/report/student_page.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "course/report/explain.h"
@@ -216,6 +218,21 @@ Html overview(const GradedAssignment& graded, const StudentResults& student) {
                   rows);
 }
 
+/// When it came, and what that costs; nothing where neither is known.
+Html handed_in(const GradedAssignment& graded, const StudentResults& student,
+               double cost) {
+    const std::string when = submitted_text(graded, student.student);
+    const std::string late = late_text(scores_of(student));
+    if (when.empty() && late.empty()) return {};
+    return markup(
+        R"(<div><dt>handed in</dt><dd class="words">{}{}{}</dd></div>)"
+        "\n",
+        when, when.empty() || late.empty() ? "" : ": ",
+        late.empty() || cost <= 0 ? late
+                                  : fmt::format("{} ({} points less)", late,
+                                                course::points_text(cost)));
+}
+
 Html headline(const GradedAssignment& graded, const StudentResults& student) {
     const Scores scores = scores_of(student);
     const Total sum = total(graded, scores);
@@ -229,9 +246,10 @@ Html headline(const GradedAssignment& graded, const StudentResults& student) {
         R"(<dl class="numbers">
 <div><dt>total{}</dt><dd>{}</dd></div>
 <div><dt>status</dt><dd class="words">{}</dd></div>
-</dl>
+{}</dl>
 )",
-        is_weighted(graded) ? " (weighted)" : "", grade, words(status(scores)));
+        is_weighted(graded) ? " (weighted)" : "", grade, words(status(scores)),
+        handed_in(graded, student, sum.late_cost));
 }
 
 Html files_section(const StudentResults& student) {
@@ -249,14 +267,15 @@ Html files_section(const StudentResults& student) {
 Html student_page(const GradedAssignment& graded,
                   const StudentResults& student) {
     const std::string& assignment = graded.assignment.name;
-    Html page = begin_page(assignment + ": " + student.student.name);
+    const std::string& name = shown_name(student.student);
+    Html page = begin_page(assignment + ": " + name);
     append(page,
            R"(<header><p class="over">{}, graded <time>{}</time></p>
 <h1><bdi>{}</bdi></h1></header>
 {}{}{})",
-           assignment, course::time_text(graded.run.started_at),
-           student.student.name, headline(graded, student),
-           files_section(student), overview(graded, student));
+           assignment, course::time_text(graded.run.started_at), name,
+           headline(graded, student), files_section(student),
+           overview(graded, student));
     for (std::size_t k = 0; k < graded.exercises.size(); ++k)
         if (!is_missing(student.exercises[k]))
             add_exercise(page, graded, student, k);

@@ -97,12 +97,14 @@ Row ended_with_total(Row row, const ClassSummary& results,
     row.push_back({sum.total ? course::points_text(*sum.total) : "-", bold});
     row.push_back(
         {sum.total ? course::percent_text(*sum.total, sum.max) : "-"});
-    row.push_back({std::string(words(status(student)))});
+    const std::string late = late_text(student);
+    row.push_back({std::string(words(status(student))) +
+                   (late.empty() ? "" : ", " + late)});
     return row;
 }
 
 Cell name_cell(const Student& student) {
-    return {course::fitted(escape_terminal(student.name), widest_name)};
+    return {course::fitted(escape_terminal(shown_name(student)), widest_name)};
 }
 
 Row head(std::vector<std::string> names) {
@@ -296,12 +298,16 @@ std::string student_text(const GradedAssignment& graded,
     const Total sum = total(graded, scores);
     std::string text = fmt::format(
         "{} ({})\n{} of {} points, {} %, {}\n",
-        painted({escape_terminal(student.student.name), bold}, colour),
+        painted({escape_terminal(shown_name(student.student)), bold}, colour),
         escape_terminal(student.student.id),
         sum.total ? course::points_text(*sum.total) : "-",
         course::points_text(sum.max),
         sum.total ? course::percent_text(*sum.total, sum.max) : "-",
         words(status(scores)));
+    const std::string when = submitted_text(graded, student.student);
+    if (!when.empty()) text += "handed in " + when + "\n";
+    if (const std::string late = late_text(scores); !late.empty())
+        text += late + "\n";
     for (const std::string& note : student.student.notes)
         text += "note: " + escape_terminal(note) + "\n";
     for (std::size_t k = 0; k < graded.exercises.size(); ++k)

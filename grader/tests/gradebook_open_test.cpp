@@ -26,6 +26,10 @@ void execute(const std::filesystem::path& file, const std::string& sql) {
 void make_older(const std::filesystem::path& file, int version) {
     execute(file, "DROP VIEW standing");
     execute(file, "DROP TABLE set_by_hand");
+    execute(file, "DROP TABLE run_members");
+    for (const char* column : {"person", "key", "submitted_at", "marked_late"})
+        execute(file,
+                std::string("ALTER TABLE run_students DROP COLUMN ") + column);
     execute(file, "ALTER TABLE attempts DROP COLUMN source");
     execute(file, "ALTER TABLE runs DROP COLUMN user");
     if (version == 1) execute(file, "ALTER TABLE runs DROP COLUMN proposed");

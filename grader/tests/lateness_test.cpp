@@ -136,3 +136,28 @@ TEST_CASE("halves are rounded up, as they are written") {
     CHECK(rounded(17.5, 1) == Approx(18));
     CHECK(rounded(1.0 / 3, 0) == 1.0 / 3);
 }
+
+TEST_CASE("times are read in the forms that platforms write") {
+    for (const char* text :
+         {"2026-12-11T22:59:00Z", "2026-12-11 22:59:00.514871000 Z",
+          "2026-12-11 22:59:00 UTC", "2026-12-11T23:59:00+01:00",
+          "2026-12-11 17:59:00.5 -0500", "2026-12-11T23:59",
+          "2026-12-11 23:59:00", "Friday, 11 December 2026, 11:59 PM"}) {
+        CAPTURE(text);
+        CHECK(text_of(instant_in(text, "Europe/Rome")) ==
+              "2026-12-11T22:59:00Z");
+    }
+    for (const char* text :
+         {"", "-", "tomorrow", "2026-12-11", "2026-13-11T22:59:00Z",
+          "2026-12-11T25:59:00Z", "2026-12-11T22:59:00Zx",
+          "2026-03-29T02:30:00", "1700000000"}) {
+        CAPTURE(text);
+        CHECK_THROWS_AS(instant_in(text, "Europe/Rome"), TimeError);
+    }
+}
+
+TEST_CASE("times are shown by the clocks of a zone") {
+    const Instant summer = instant_of("2026-07-01T12:00:00Z");
+    CHECK(text_in(summer, "Europe/Rome") == "2026-07-01 14:00 CEST");
+    CHECK(text_in(summer, "UTC") == "2026-07-01 12:00 UTC");
+}

@@ -127,16 +127,18 @@ SubmittedClass submissions_of(const ClassOptions& options,
 void add_times(const ClassOptions& options,
                const std::optional<Assignment>& assignment,
                SubmittedClass& submitted) {
-    if (options.times.empty()) return;
-    const bool has_zone = assignment && assignment->due;
-    const std::string zone = has_zone ? assignment->due->zone : "UTC";
-    if (options.times == "files") return take_times_of_files(submitted, zone);
+    const bool has_due = assignment && assignment->due;
+    const std::string zone = has_due ? assignment->due->zone : "UTC";
     try {
-        take_times_from(CsvTable(course::read_file(options.times)), zone,
-                        assignment && assignment->in_teams, submitted);
+        if (options.times == "files")
+            take_times_of_files(submitted, zone);
+        else if (!options.times.empty())
+            take_times_from(CsvTable(course::read_file(options.times)), zone,
+                            assignment && assignment->in_teams, submitted);
     } catch (const std::runtime_error& error) {
         throw CannotBegin(fmt::format("{}: {}", options.times, error.what()));
     }
+    if (has_due) note_missing_times(submitted);
 }
 
 /// Two graders in one folder would grade everything twice. Given back by the

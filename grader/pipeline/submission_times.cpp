@@ -28,20 +28,6 @@ Instant instant_of_file(const FileTime& time, const std::string& zone) {
     }
 }
 
-void note_without_time(SubmittedClass& submitted) {
-    std::vector<std::string> names;
-    for (const Submission& one : submitted.submissions)
-        if (!one.submitted_at) names.push_back(one.student);
-    if (names.empty()) return;
-    const std::size_t more =
-        names.size() - std::min(names.size(), most_names_in_a_note);
-    names.resize(names.size() - more);
-    submitted.notes.push_back(fmt::format(
-        "when it came is not known, and so it counts as in time: {}{}",
-        fmt::join(names, ", "),
-        more > 0 ? fmt::format(" and {} more", more) : ""));
-}
-
 bool belongs_to(const Submission& one, const std::string& who) {
     return is_named(one, who) ||
            std::any_of(one.members.begin(), one.members.end(),
@@ -174,13 +160,25 @@ void take_times_of_files(SubmittedClass& submitted, const std::string& zone) {
             one.submitted_at = std::max(
                 one.submitted_at, std::optional(instant_of_file(time, zone)));
     }
-    note_without_time(submitted);
 }
 
 void take_times_from(const CsvTable& table, const std::string& zone,
                      bool in_teams, SubmittedClass& submitted) {
     TimeTable(table, zone, in_teams, submitted).take();
-    note_without_time(submitted);
+}
+
+void note_missing_times(SubmittedClass& submitted) {
+    std::vector<std::string> names;
+    for (const Submission& one : submitted.submissions)
+        if (!one.submitted_at) names.push_back(one.student);
+    if (names.empty()) return;
+    const std::size_t more =
+        names.size() - std::min(names.size(), most_names_in_a_note);
+    names.resize(names.size() - more);
+    submitted.notes.push_back(fmt::format(
+        "when it came is not known, and so it counts as in time: {}{}",
+        fmt::join(names, ", "),
+        more > 0 ? fmt::format(" and {} more", more) : ""));
 }
 
 }  // namespace grader

@@ -20,10 +20,12 @@ void take_times_of_files(SubmittedClass& submitted, const std::string& zone);
 ///   - or one of two columns, of which the first has a name, an id or a number
 ///     of the platform, the second a time (see instant_in), with or without a
 ///     header.
-/// What fits nobody, or is no time, is noted with its line, and so is who has
-/// no time in the end. Throws CsvError for any other table, and TimeError when
-/// there is no such zone.
+/// What fits nobody, or is no time, is noted with its line. Throws CsvError for
+/// any other table, and TimeError when there is no such zone.
 void take_times_from(const CsvTable& table, const std::string& zone,
                      bool in_teams, SubmittedClass& submitted);
+
+/// Notes who has no time: their work counts as in time.
+void note_missing_times(SubmittedClass& submitted);
 
 }  // namespace grader

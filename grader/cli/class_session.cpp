@@ -18,6 +18,7 @@
 
 #include "course/runner/make_ready.h"
 #include "grader/pipeline/ingest.h"
+#include "grader/pipeline/mistakes.h"
 #include "grader/pipeline/submission_times.h"
 
 namespace grader {
@@ -242,6 +243,9 @@ void ClassOptions::add_to(CLI::App& app) {
                    "when each student handed in, where the export does not say "
                    "it: \"files\" (the newest file), or a CSV file of names or "
                    "numbers and times, or Moodle's grading worksheet");
+    app.add_flag("--no-mistakes", no_mistakes,
+                 "do not judge stored wrong submissions to recognise their "
+                 "mistakes");
     judging.add_to(app);
     executor.add_to(app);
 }
@@ -255,7 +259,8 @@ ClassSession::ClassSession(const ClassOptions& options)
       lock_(make_and_lock(options.out)),
       gradebook_(options.out / "gradebook.sqlite"),
       executor_(
-          executor_for(options.executor, bench_, run_.judging, options.out)) {
+          executor_for(options.executor, bench_, run_.judging, options.out)),
+      no_mistakes_(options.no_mistakes) {
     run_.jobs = bench_.jobs();
     run_.isolation = bench_.isolation_text();
     fmt::print(stderr, "Isolation: {}\n", run_.isolation);
@@ -265,11 +270,21 @@ ClassRunResult ClassSession::grade(bool propose) {
     run_.propose = propose;
     std::signal(SIGINT, on_interrupt);
     std::signal(SIGTERM, on_interrupt);
+    const auto is_stopped = []() -> bool { return interrupted; };
+    const ClassRunResult done = grade_judging(is_stopped);
+    if (!no_mistakes_ && !done.stopped)
+        learn_mistakes(
+            run_, done.run, gradebook_, *executor_,
+            [](const std::string& text) { fmt::print(stderr, "{}\n", text); },
+            is_stopped);
+    return done;
+}
+
+ClassRunResult ClassSession::grade_judging(const std::function<bool()>& stop) {
     ProgressLine line;
     return grade_class(
         run_, gradebook_, *executor_,
-        [&](const Progress& progress) { line.show(progress); },
-        []() -> bool { return interrupted; });
+        [&](const Progress& progress) { line.show(progress); }, stop);
 }
 
 }  // namespace grader

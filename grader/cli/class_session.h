@@ -24,6 +24,7 @@ struct ClassOptions {
     std::string only;
     std::string platform;  ///< empty: recognised
     std::string times;     ///< "files", or a table of times; or empty
+    bool no_mistakes = false;  ///< recognise none
     JudgingOptions judging;
     ExecutorOptions executor;
 
@@ -48,6 +49,8 @@ public:
     Gradebook& gradebook() { return gradebook_; }
 
 private:
+    ClassRunResult grade_judging(const std::function<bool()>& stop);
+
     std::optional<Assignment> chosen_;  ///< by the instructor
     ClassRun run_;
     Assignment assignment_;
@@ -55,6 +58,7 @@ private:
     course::Descriptor lock_;
     Gradebook gradebook_;
     std::unique_ptr<Executor> executor_;
+    bool no_mistakes_;
 };
 
 }  // namespace grader

@@ -6,9 +6,11 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "course/runner/results.h"
@@ -123,6 +125,15 @@ struct GradeByHand {
     std::string set_at;  ///< ISO 8601, UTC
 };
 
+/// A stored wrong submission, as a run recognised mistakes by it.
+struct KnownMistake {
+    std::string exercise;     ///< Suite::exercise
+    std::string name;         ///< of its file: "stops_at_the_vertex"
+    std::string mistake;      ///< what is wrong with it, for instructors
+    std::string hint;         ///< for students; may be empty
+    std::string fingerprint;  ///< of its result (see pipeline/mistakes.h)
+};
+
 /// Something that happened to a grade.
 struct HistoryEntry {
     enum class Kind {
@@ -226,6 +237,17 @@ public:
 
     /// The attempts that count for this student, one per exercise, by its name.
     std::vector<Attempt> latest(std::string_view student) const;
+
+    /// The exercises and verdicts of results that count, or will when that run
+    /// is accepted, where some cases passed and others did not.
+    std::set<std::pair<std::string, course::Verdict>> partly_failed(
+        int run) const;
+
+    /// Writes down what a run knows of mistakes.
+    void add_mistakes(int run, const std::vector<KnownMistake>& known);
+
+    /// What the newest run that is not only proposed knew.
+    std::vector<KnownMistake> mistakes() const;
 
     /// Adds a row; what was set or judged before stays. It holds for all later
     /// results, too, until it is taken back.

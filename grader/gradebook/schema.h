@@ -94,6 +94,16 @@ CREATE TABLE set_by_hand (
     set_at TEXT NOT NULL
 );
 CREATE INDEX set_by_hand_by_student ON set_by_hand (student, exercise);
+-- Stored wrong submissions by which the run recognised mistakes.
+CREATE TABLE run_mistakes (
+    run INTEGER NOT NULL REFERENCES runs,
+    exercise TEXT NOT NULL,
+    name TEXT NOT NULL,
+    mistake TEXT NOT NULL,
+    hint TEXT NOT NULL,  -- for students; may be empty
+    fingerprint TEXT NOT NULL
+);
+CREATE INDEX run_mistakes_by_run ON run_mistakes (run);
 )sql";
 
 /// What version 3 added for students who come from a course platform; a new

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "grader/pipeline/keys.h"
 #include "grader/pipeline/who_and_when.h"
 
 namespace grader {
@@ -28,11 +27,7 @@ Student student_of(const Submission& submission) {
 class Grading {
 public:
     Grading(const ClassRun& run, Gradebook& gradebook)
-        : run_(run),
-          gradebook_(gradebook),
-          keys_(run.exercises,
-                fmt::format("seed {}, {} times, {}", run.judging.seed,
-                            run.judging.repeats, run.isolation)) {}
+        : run_(run), gradebook_(gradebook), keys_(keys_of(run)) {}
 
     ClassRunResult go(Executor& executor,
                       const std::function<void(const Progress&)>& progress,
@@ -172,6 +167,12 @@ ClassRunResult Grading::go(Executor& executor,
 }
 
 }  // namespace
+
+Keys keys_of(const ClassRun& run) {
+    return {run.exercises,
+            fmt::format("seed {}, {} times, {}", run.judging.seed,
+                        run.judging.repeats, run.isolation)};
+}
 
 ClassRunResult grade_class(const ClassRun& run, Gradebook& gradebook,
                            Executor& executor,

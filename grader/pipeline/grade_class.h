@@ -10,6 +10,7 @@
 #include "grader/gradebook/gradebook.h"
 #include "grader/pipeline/executor.h"
 #include "grader/pipeline/ingest.h"
+#include "grader/pipeline/keys.h"
 
 namespace grader {
 
@@ -22,6 +23,9 @@ struct ClassRun {
     std::string isolation;  ///< in words
     bool propose = false;   ///< see Run::proposed
 };
+
+/// The keys of the run's results.
+Keys keys_of(const ClassRun& run);
 
 struct Progress {
     int done = 0;  ///< of those that have to be judged

@@ -9,6 +9,7 @@
 #include "course/runner/pool.h"
 #include "course/runner/statement.h"
 #include "grader/pipeline/keys.h"
+#include "grader/pipeline/wrong_submissions.h"
 
 namespace grader {
 
@@ -38,24 +39,14 @@ struct Trial {
 void add_wrong(std::size_t index, const course::Exercise& exercise,
                std::vector<Trial>& trials,
                std::vector<std::string>& complaints) {
-    const fs::path folder = course::source_root() / "grader" / "wrong" /
-                            exercise.topic / exercise.name;
-    if (!fs::exists(folder)) return;
-    std::vector<fs::path> files;
-    for (const auto& entry : fs::recursive_directory_iterator(folder))
-        if (entry.is_regular_file()) files.push_back(entry.path());
-    std::sort(files.begin(), files.end());
-    for (const fs::path& file : files) {
-        const auto verdict =
-            course::verdict_named(file.parent_path().filename().string());
-        if (verdict && file.extension() == exercise.skeleton().extension())
-            trials.push_back({index, Role::wrong, file, *verdict});
-        else
-            complaints.push_back(fmt::format(
-                "{}: expected a folder named after a verdict and a file {}",
-                fs::relative(file, course::source_root()).string(),
-                "*" + exercise.skeleton().extension().string()));
-    }
+    const WrongSubmissions stored = wrong_submissions(exercise);
+    for (const WrongSubmission& one : stored.all)
+        trials.push_back({index, Role::wrong, one.file, one.verdict});
+    for (const fs::path& file : stored.strays)
+        complaints.push_back(fmt::format(
+            "{}: expected a folder named after a verdict and a file {}",
+            fs::relative(file, course::source_root()).string(),
+            "*" + exercise.skeleton().extension().string()));
 }
 
 std::size_t count(const std::string& text, const std::string& word) {
@@ -203,7 +194,20 @@ void judge_skeleton(Validation& validation, const ExerciseResult& result) {
     }
 }
 
+/// Students read hints of wrong submissions, and of hidden cases nothing that
+/// the assignment does not let them.
+void look_at_hint(Validation& validation, const Trial& trial) {
+    const std::string hint = mistake_text(course::read_file(trial.file)).hint;
+    for (const auto& c : trial.result.cases)
+        if (c.info.visibility == Visibility::hidden &&
+            hint.find(c.info.name) != std::string::npos)
+            validation.complaints.push_back(
+                fmt::format("{}: its hint names the hidden case \"{}\"",
+                            trial.file.filename().string(), c.info.name));
+}
+
 void judge_wrong(Validation& validation, const Trial& trial) {
+    look_at_hint(validation, trial);
     if (trial.result.verdict == trial.expected) {
         ++validation.wrong_as_expected;
         return;

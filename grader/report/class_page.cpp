@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "course/report/text.h"
+#include "grader/report/class_charts.h"
 #include "grader/report/page.h"
 
 namespace grader {
@@ -59,6 +60,7 @@ int students_with(const ClassSummary& results, Status wanted) {
 struct ExerciseCount {
     int judged = 0;
     int accepted = 0;
+    int partly = 0;  ///< not accepted, with some points
     double points = 0;
 };
 
@@ -69,7 +71,10 @@ ExerciseCount count(const ClassSummary& results, std::size_t k) {
         if (!was_judged(score)) continue;
         ++sum.judged;
         sum.points += score->points;
-        if (score->verdict == Verdict::accepted) ++sum.accepted;
+        if (score->verdict == Verdict::accepted)
+            ++sum.accepted;
+        else if (score->points > 0)
+            ++sum.partly;
     }
     return sum;
 }
@@ -228,7 +233,7 @@ Html mean_row(const ClassSummary& results, Columns columns) {
 }
 
 void add_table(Html& page, const ClassSummary& results, Columns columns) {
-    append(page, R"(<table class="class">
+    append(page, R"(<div class="wide"><table class="class">
 <thead>
 {}{}</thead>
 <tbody>
@@ -238,7 +243,7 @@ void add_table(Html& page, const ClassSummary& results, Columns columns) {
         for (const Member& one : people_of(results.run.students[k]))
             add_student(page, results, k, one.name, columns);
     append(page, R"({}</tbody>
-</table>
+</table></div>
 )",
            mean_row(results, columns));
 }
@@ -292,70 +297,102 @@ Html by_hand_section(const ClassSummary& results) {
                   rows);
 }
 
-// ---- the bar chart
+// ---- the charts
 
-constexpr int row_height = 26;
-constexpr int bar_left = 210;
-constexpr int bar_width = 480;
+Html charts(const ClassSummary& results) {
+    const std::vector<double> all = shares(results);
+    if (all.empty()) return {};
+    return markup("<div class=\"charts\">\n{}{}</div>\n",
+                  distribution_chart(all), timeline_chart(results.attempts));
+}
 
-Html chart_row(const ClassSummary& results, std::size_t k, int y) {
+Html exercise_row(const ClassSummary& results, std::size_t k) {
     const ExerciseCount sum = count(results, k);
-    const double share = mean_share(sum, max_points(results, k));
-    const std::string text =
-        sum.judged == 0
-            ? "nobody handed it in"
-            : fmt::format("{}, {} of {} handed in, {} accepted", percent(share),
-                          sum.judged, results.students.size(), sum.accepted);
+    const int students = static_cast<int>(results.students.size());
+    const int failed = sum.judged - sum.accepted - sum.partly;
     return markup(
-        R"(<text x="0" y="{}">{}</text><rect class="track" x="{}" y="{}" )"
-        R"(width="{}" height="15"/><rect class="fill" x="{}" y="{}" )"
-        R"(width="{:.1f}" height="15"/><text class="value" x="{}" y="{}">)"
-        "{}</text>\n",
-        y + 12, short_name(results.exercises[k].exercise), bar_left, y,
-        bar_width, bar_left, y, share * bar_width, bar_left + bar_width + 10,
-        y + 12, text);
+        R"(<tr><td>{}</td><td class="wide-bar">{}</td><td class="n">{}</td>)"
+        R"(<td class="n">{}</td><td class="n">{}</td></tr>)"
+        "\n",
+        short_name(results.exercises[k].exercise),
+        outcome_bar(sum.accepted, sum.partly, failed, students), sum.judged,
+        sum.accepted,
+        sum.judged == 0 ? "–"
+                        : percent(mean_share(sum, max_points(results, k))));
 }
 
-Html axis(int height) {
-    Html ticks;
-    for (int quarter = 0; quarter <= 4; ++quarter) {
-        const int x = bar_left + quarter * bar_width / 4;
-        ticks += markup(R"(<line class="tick" x1="{}" x2="{}" y1="0" y2="{}"/>)"
-                        R"(<text class="axis" x="{}" y="{}">{} %</text>)"
-                        "\n",
-                        x, x, height + 4, x, height + 18, 25 * quarter);
-    }
-    return ticks;
-}
-
-Html chart(const ClassSummary& results) {
+Html exercise_rows(const ClassSummary& results) {
+    const Columns all = {0, results.exercises.size()};
     Html rows;
-    int y = 0;
-    for (std::size_t k = 0; k < results.exercises.size(); ++k) {
-        const Columns all = {0, results.exercises.size()};
+    for (std::size_t k = 0; k < all.last; ++k) {
         const std::string_view name = chapter(results.exercises[k].exercise);
-        if (begins_chapter(results, all, k) && !name.empty()) {
-            rows += markup(R"(<text class="chapter" x="0" y="{}">{}</text>)"
-                           "\n",
-                           y + 16, name);
-            y += row_height;
-        }
-        rows += chart_row(results, k, y + 2);
-        y += row_height;
+        if (begins_chapter(results, all, k) && !name.empty())
+            append(rows,
+                   R"(<tr><th class="chapter" colspan="5">{}</th></tr>)"
+                   "\n",
+                   name);
+        rows += exercise_row(results, k);
     }
-    return markup(
-        R"(<svg class="chart" viewBox="0 0 960 {}" width="100%" role="img" )"
-        R"(aria-label="Mean share of the points per exercise">)"
-        "\n{}{}</svg>\n",
-        y + 24, axis(y), rows);
+    return rows;
 }
 
 Html chart_section(const ClassSummary& results) {
     return markup(
-        "<h2>Points per exercise</h2>\n"
-        R"(<p class="soft">The mean share of an exercise's points, over those )"
-        "who handed it in.</p>\n{}",
-        chart(results));
+        R"(<h2>Exercises</h2>
+<p class="soft">Of all students: <span class="key fill"></span> accepted, )"
+        R"(<span class="key part"></span> some points, )"
+        R"(<span class="key lost"></span> no points, )"
+        R"(<span class="key"></span> not handed in. The mean share of the )"
+        R"(points is of those who handed it in.</p>
+<table class="exercises">
+<thead><tr><th>exercise</th><th></th><th class="n">handed in</th>)"
+        R"(<th class="n">accepted</th><th class="n">mean</th></tr></thead>
+<tbody>
+{}</tbody>
+</table>
+)",
+        exercise_rows(results));
+}
+
+// ---- who is stuck
+
+std::vector<Stuck> longest_stuck(const ClassSummary& results) {
+    std::vector<Stuck> all = results.stuck;
+    std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) {
+        return a.in_vain > b.in_vain;
+    });
+    return all;
+}
+
+Html stuck_row(const ClassSummary& results, const Stuck& one) {
+    return markup(
+        R"(<tr><td><bdi>{}</bdi></td><td>{}</td><td class="n">{}</td>)"
+        R"(<td class="n">{}</td><td class="n">{} of {}</td><td>{}</td></tr>)"
+        "\n",
+        results.run.students[one.student].name,
+        short_name(results.exercises[one.exercise].exercise), one.attempts,
+        one.in_vain, course::points_text(one.best),
+        course::points_text(max_points(results, one.exercise)),
+        course::time_text(one.since));
+}
+
+Html stuck_section(const ClassSummary& results) {
+    if (results.stuck.empty()) return {};
+    Html rows;
+    for (const Stuck& one : longest_stuck(results))
+        rows += stuck_row(results, one);
+    return markup(R"(<h2>Who is stuck where</h2>
+<p class="soft">Not accepted, and the last two attempts or more brought no )"
+                  R"(more points.</p>
+<div class="wide"><table>
+<thead><tr><th>student</th><th>exercise</th><th class="n">attempts</th>)"
+                  R"(<th class="n">in vain</th><th class="n">best</th>)"
+                  R"(<th>since</th></tr></thead>
+<tbody>
+{}</tbody>
+</table></div>
+)",
+                  rows);
 }
 
 // ---- the cases that fail most
@@ -392,6 +429,75 @@ Html cases_section(const ClassSummary& results) {
                       ? fmt::format(" {} more cases failed less often.",
                                     all.size() - most_cases)
                       : "",
+                  rows);
+}
+
+/// Behind a click, and not on paper: there are hundreds.
+Html all_cases_section(const ClassSummary& results) {
+    if (results.cases.empty()) return {};
+    Html rows;
+    for (const auto& [place, one] : results.cases)
+        rows += markup(
+            "<tr><td>{}</td><td>{}</td>"
+            R"(<td style="width:120px">{}</td><td class="n">{}</td></tr>)"
+            "\n",
+            short_name(one.exercise), one.name,
+            bar(static_cast<double>(one.judged - one.failed) / one.judged),
+            fmt::format("{} of {}", one.judged - one.failed, one.judged));
+    return markup(R"(<details><summary>Every case: how many pass it</summary>
+<div class="wide"><table>
+<thead><tr><th>exercise</th><th>case</th><th></th><th class="n">passed</th>)"
+                  R"(</tr></thead>
+<tbody>
+{}</tbody>
+</table></div>
+</details>
+)",
+                  rows);
+}
+
+// ---- mistakes that were recognised
+
+using Recognised = std::pair<std::pair<std::size_t, std::string>, MistakeCount>;
+
+/// The most frequent first.
+std::vector<Recognised> most_made(const ClassSummary& results) {
+    std::vector<Recognised> all(results.recognised.begin(),
+                                results.recognised.end());
+    std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) {
+        return a.second.students.size() > b.second.students.size();
+    });
+    return all;
+}
+
+Html names_of(const ClassSummary& results,
+              const std::vector<std::size_t>& students) {
+    Html names;
+    for (std::size_t k = 0; k < students.size(); ++k)
+        names += markup("{}<bdi>{}</bdi>", k == 0 ? "" : ", ",
+                        results.run.students[students[k]].name);
+    return names;
+}
+
+Html mistakes_section(const ClassSummary& results) {
+    if (results.recognised.empty()) return {};
+    Html rows;
+    for (const auto& [place, one] : most_made(results))
+        rows += markup(
+            R"(<tr><td>{}</td><td>{}</td><td class="n">{}</td><td>{}</td></tr>)"
+            "\n",
+            short_name(results.exercises[place.first].exercise), one.mistake,
+            one.students.size(), names_of(results, one.students));
+    return markup(R"(<h2>Mistakes that were recognised</h2>
+<p class="soft">These submissions fail the same cases, in the same way, as a )"
+                  R"(stored wrong submission.</p>
+<table class="mistakes">
+<thead><tr><th>exercise</th><th>mistake</th><th class="n">made by</th>)"
+                  R"(<th>whom</th></tr></thead>
+<tbody>
+{}</tbody>
+</table>
+)",
                   rows);
 }
 
@@ -477,12 +583,13 @@ Html class_page(const ClassSummary& results) {
            R"(<header><p class="over">Results of the class, run of )"
            R"(<time>{}</time></p>
 <h1>{}</h1></header>
-{}{})",
+{}{}{})",
            course::time_text(results.run.started_at), name, faults(results),
-           numbers(results));
+           numbers(results), charts(results));
     add_students(page, results);
-    append(page, "{}{}{}", by_hand_section(results), chart_section(results),
-           cases_section(results));
+    append(page, "{}{}{}{}{}{}", chart_section(results), stuck_section(results),
+           cases_section(results), all_cases_section(results),
+           mistakes_section(results), by_hand_section(results));
     add_files(page, results.run);
     page += run_section(results);
     end_page(page);

@@ -38,6 +38,7 @@ GradedAssignment graded_assignment(const Gradebook& gradebook,
     GradedAssignment graded;
     graded.assignment = assignment;
     graded.run = gradebook.last_run().value_or(Run());
+    graded.mistakes = gradebook.mistakes();
     for (const Assignment::Item& item : assignment.exercises)
         graded.exercises.push_back({item.exercise, item.weight,
                                     suite_of(graded.run, item.exercise),

@@ -26,6 +26,8 @@ struct GradedAssignment {
     Assignment assignment;
     std::vector<GradedExercise> exercises;
     Run run;  ///< the newest one, with its students; empty when there is none
+    /// What the newest run recognises mistakes by.
+    std::vector<KnownMistake> mistakes = {};
 };
 
 /// The assignment as the newest run graded it. Throws GradebookError.

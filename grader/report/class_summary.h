@@ -26,6 +26,28 @@ struct Fault {
     std::string message;            ///< shortened
 };
 
+/// A mistake that was recognised, and whose submissions have it.
+struct MistakeCount {
+    std::string mistake, hint;
+    std::vector<std::size_t> students;  ///< numbers in the class's list
+};
+
+/// When a file was judged for the first time.
+struct AttemptTime {
+    Instant when;
+    bool accepted = false;
+};
+
+/// Attempts at an exercise that is not accepted, the last of which brought no
+/// more points than those before.
+struct Stuck {
+    std::size_t student, exercise;  ///< numbers in the class's lists
+    int attempts = 0;
+    int in_vain = 0;    ///< the last ones
+    double best = 0;    ///< points
+    std::string since;  ///< when they were reached first
+};
+
 /// Points of a student's exercise that an instructor set.
 struct SetPoints {
     std::size_t student, exercise;  ///< numbers in the class's lists
@@ -39,9 +61,16 @@ struct ClassSummary : GradedAssignment {
     /// By number of the exercise and name of the case.
     std::map<std::pair<std::size_t, std::string>, CaseCount> cases;
     std::vector<SetPoints> by_hand = {};  ///< by student, then by exercise
+    /// By number of the exercise and mistake.
+    std::map<std::pair<std::size_t, std::string>, MistakeCount> recognised = {};
+    std::vector<AttemptTime> attempts = {};
+    std::vector<Stuck> stuck = {};  ///< by student, then by exercise
 };
 
 /// Adds a student. Precondition: it is the next one of run.students.
 void add(ClassSummary& all, const StudentResults& student);
+
+/// Adds the history of the student who was added last.
+void add_history(ClassSummary& all, const std::vector<HistoryEntry>& history);
 
 }  // namespace grader

@@ -1,5 +1,7 @@
 #include "grader/report/feedback.h"
 
+#include "grader/pipeline/mistakes.h"
+
 namespace grader {
 
 namespace {
@@ -34,6 +36,16 @@ course::ExerciseResult for_student(const course::ExerciseResult& result,
     for (const CaseResult& one : result.cases)
         shown.cases.push_back(for_student(one, level));
     return shown;
+}
+
+std::string mistake_for_student(const GradedAssignment& graded,
+                                const StudentResults& student, std::size_t k) {
+    const auto& result = student.exercises[k];
+    if (!result || hidden_feedback(graded) == FeedbackLevel::names) return "";
+    const auto found =
+        recognised(graded.mistakes, graded.exercises[k].exercise, *result);
+    if (!found || found->hint.empty()) return "";
+    return "This looks like a mistake that we know: " + found->hint;
 }
 
 }  // namespace grader

@@ -2,8 +2,7 @@
 // from what this returns and from nothing else.
 #pragma once
 
-#include "course/runner/results.h"
-#include "grader/pipeline/assignment.h"
+#include "grader/report/class_results.h"
 
 namespace grader {
 
@@ -14,5 +13,12 @@ namespace grader {
 /// stay.
 course::ExerciseResult for_student(const course::ExerciseResult& result,
                                    FeedbackLevel level);
+
+/// What a student may read about the mistake that an exercise seems to have
+/// (see pipeline/mistakes.h): a sentence, or nothing. Hidden cases take part in
+/// recognising it, so that below names_and_hints there is none.
+std::string mistake_for_student(const GradedAssignment& graded,
+                                const StudentResults& student,
+                                std::size_t exercise);
 
 }  // namespace grader

@@ -106,6 +106,12 @@ std::string output_text(const GradedAssignment& graded,
     if (const std::string late = late_text(scores_of(student)); !late.empty())
         text += "\n" + late;
     for (const std::string& note : student.student.notes) text += "\n" + note;
+    for (std::size_t k = 0; k < graded.exercises.size(); ++k)
+        if (const std::string sentence =
+                mistake_for_student(graded, student, k);
+            !sentence.empty())
+            text += fmt::format(
+                "\n{}: {}", short_name(graded.exercises[k].exercise), sentence);
     return text;
 }
 

@@ -136,22 +136,49 @@ svg text { text-anchor: middle; }
 )css";
 
 constexpr std::string_view style_after =
-    R"css(.chart text { font-size: 13px; fill: var(--ink); text-anchor: start; }
-.chart .value { fill: var(--soft); }
-.chart .track { fill: var(--tint); stroke: var(--line); }
-.chart .fill { fill: var(--blue); }
-.chart .tick { stroke: var(--line); }
-.chart .axis { font-size: 11.5px; fill: var(--soft); text-anchor: middle; }
-.chart .chapter { font-size: 12px; fill: var(--soft); font-weight: 600; }
+    R"css(.charts { display: grid; gap: 8px 48px; margin: 28px 0 0;
+          grid-template-columns: repeat(auto-fit, minmax(300px, 1fr)); }
+.charts figure { max-width: 520px; width: 100%; }
+.charts figcaption { margin-bottom: 4px; font-size: 0.87rem; }
+.columns { display: block; width: 100%; height: auto; }
+.columns text { font-size: 12px; fill: var(--ink); }
+.columns .axis { font-size: 11px; fill: var(--soft); }
+.fill { fill: var(--blue); background: var(--blue); }
+.part { fill: #a9c3de; background: #a9c3de; }
+.lost { fill: #e2b78f; background: #e2b78f; }
+.columns .base { stroke: var(--ink); }
+.outcome { display: block; width: 100%; height: 13px; background: #fff;
+           border: 1px solid var(--line); border-radius: 2px; }
+.exercises td { vertical-align: middle; }
+.exercises .wide-bar { width: 45%; min-width: 90px; }
+.exercises .chapter { font-size: 0.8rem; font-weight: 600; padding-top: 14px;
+                      color: var(--soft); }
+.key { display: inline-block; width: 22px; height: 11px;
+       border: 1px solid var(--line); border-radius: 2px; }
+.wide { overflow-x: auto; }
+details { margin: 12px 0; }
+summary { cursor: pointer; color: var(--blue); }
 footer { margin-top: 48px; padding-top: 10px; color: var(--soft);
          font-size: 0.87rem; border-top: 1px solid var(--line); }
+@media (max-width: 600px) {
+  body { padding: 20px 14px 40px; }
+  h1 { font-size: 1.6rem; }
+  .numbers div { padding: 8px 14px 8px 0; margin-right: 14px; }
+  .numbers dd { font-size: 1.4rem; }
+  th, td { padding-right: 6px; }
+  .failure dl { flex-basis: 100%; grid-template-columns: 72px 1fr; }
+}
 @media print {
   @page { size: A4; margin: 14mm 13mm; }
   html { font-size: 11.5px; }
   body { padding: 0; max-width: none; }
   h2 { margin-top: 26px; break-after: avoid; }
   h2 + p, h3, .exercise > header, .cases .hint { break-after: avoid; }
-  tr, .chart, figure, .alert { break-inside: avoid; }
+  tr, figure, .alert { break-inside: avoid; }
+  .wide { overflow: visible; }
+  details { display: none; }
+  .charts { grid-template-columns: 1fr 1fr; gap: 0 24px; }
+  .charts figure { max-width: none; }
   thead { display: table-header-group; }
   a { color: inherit; text-decoration: none; }
   .numbers div { padding-right: 18px; margin-right: 18px; }

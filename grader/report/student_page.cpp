@@ -135,6 +135,13 @@ void add_cases(Html& page, const ExerciseResult& result) {
     append(page, "</ul>\n");
 }
 
+Html mistake_block(const std::string& sentence) {
+    if (sentence.empty()) return {};
+    return markup(R"(<p class="hint">{}</p>)"
+                  "\n",
+                  course::shortened(sentence, 1200, 16));
+}
+
 Html points_of(const GradedAssignment& graded, const StudentResults& student,
                std::size_t k) {
     const auto score = score_of(student, k);
@@ -160,8 +167,9 @@ void add_exercise(Html& page, const GradedAssignment& graded,
            short_name(exercise.exercise), points_of(graded, student, k));
     if (!result) return append(page, "<p>Not judged yet.</p>\n</section>\n");
     const ExerciseResult shown = for_student(*result, hidden_feedback(graded));
-    append(page, "<p>{}</p>\n{}", explanation(shown.verdict),
-           message_block(shown));
+    append(page, "<p>{}</p>\n{}{}", explanation(shown.verdict),
+           message_block(shown),
+           mistake_block(mistake_for_student(graded, student, k)));
     add_cases(page, shown);
     append(page, "</section>\n");
 }

@@ -56,6 +56,7 @@ ClassSummary write_reports(const Gradebook& gradebook,
         const StudentResults results = student_results(gradebook, all, student);
         write_student(all, results, out / "students" / student.id);
         add(all, results);
+        add_history(all, gradebook.history(student.id));
     }
     // Last: whoever sees these two sees all that they lead to.
     fs::create_directories(out);

@@ -1,4 +1,5 @@
 // Treats the border as an error, but a border half-edge has two ends.
+// Hint: You refuse a half-edge on the border; it has two ends like any other.
 #include "exercises/00_table/edge_vertices.h"
 
 std::array<int, 2> edge_vertices(const HalfEdgeTable& he, int i) {

@@ -1,4 +1,6 @@
 // Looks through the whole table for the half-edge whose next is i.
+// Hint: Your answers are right, but you look through the whole table: what you
+// need is a few steps away.
 #include "exercises/00_table/prev.h"
 
 int prev(const HalfEdgeTable& he, int i) {

@@ -1,4 +1,5 @@
 // Gives up after six steps: faces and borders may be longer.
+// Hint: You give up after a few steps; faces and borders may be longer.
 #include "exercises/00_table/prev.h"
 
 int prev(const HalfEdgeTable& he, int i) {

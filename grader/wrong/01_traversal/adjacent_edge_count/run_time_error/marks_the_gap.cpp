@@ -1,4 +1,5 @@
 // Marks the faces across in an array, -1 too.
+// Hint: You use the number of a face as an index, also where there is no face.
 #include "exercises/01_traversal/adjacent_edge_count.h"
 
 #include <vector>

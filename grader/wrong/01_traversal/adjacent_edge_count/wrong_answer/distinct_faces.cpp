@@ -1,4 +1,5 @@
 // Counts the faces, not the sides: two shared sides count once.
+// Hint: You count neighbours; two sides may lead to the same one.
 #include "exercises/01_traversal/adjacent_edge_count.h"
 
 #include <set>

@@ -1,4 +1,5 @@
 // Goes on in the neighbour in place of the face.
+// Hint: You went over to the neighbour and did not come back.
 #include "exercises/01_traversal/adjacent_faces.h"
 
 #include <set>

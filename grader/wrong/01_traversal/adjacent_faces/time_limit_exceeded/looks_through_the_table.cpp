@@ -1,4 +1,6 @@
 // Right, but looks for the sides of the face in the whole table.
+// Hint: Your answers are right, but you look through the whole table: what you
+// need is a few steps away.
 #include "exercises/01_traversal/adjacent_faces.h"
 
 #include <set>

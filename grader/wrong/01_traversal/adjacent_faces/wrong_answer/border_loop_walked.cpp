@@ -1,4 +1,6 @@
 // Does not ask whether i has a face: lists the faces along the border.
+// Hint: Look again at what you do with a half-edge that has no face: you go on
+// along the border as if it were one.
 #include "exercises/01_traversal/adjacent_faces.h"
 
 #include <algorithm>

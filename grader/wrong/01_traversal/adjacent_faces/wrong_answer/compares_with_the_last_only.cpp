@@ -1,4 +1,5 @@
 // Leaves a face out only when it was met just before.
+// Hint: You list a face several times that shares several edges.
 #include "exercises/01_traversal/adjacent_faces.h"
 
 std::vector<int> adjacent_faces(const HalfEdgeTable& he, int i) {

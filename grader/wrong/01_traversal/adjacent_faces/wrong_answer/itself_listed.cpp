@@ -1,4 +1,5 @@
 // Lists the face as a neighbour of itself.
+// Hint: You list the face as a neighbour of itself.
 #include "exercises/01_traversal/adjacent_faces.h"
 
 #include <algorithm>

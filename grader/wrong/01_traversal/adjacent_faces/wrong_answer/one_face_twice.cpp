@@ -1,4 +1,5 @@
 // Lists a face once for each edge that they share.
+// Hint: You list a face several times that shares several edges.
 #include "exercises/01_traversal/adjacent_faces.h"
 
 std::vector<int> adjacent_faces(const HalfEdgeTable& he, int i) {

@@ -1,4 +1,6 @@
 // Right, but looks for the way back in the whole table.
+// Hint: Your answers are right, but you look through the whole table: what you
+// need is a few steps away.
 #include "exercises/01_traversal/face_across.h"
 
 std::optional<int> face_across(const HalfEdgeTable& he, int i) {

@@ -1,4 +1,5 @@
 // Asks this side whether there is a face on the other one.
+// Hint: You ask this side of the edge for a face, where the other one decides.
 #include "exercises/01_traversal/face_across.h"
 
 std::optional<int> face_across(const HalfEdgeTable& he, int i) {

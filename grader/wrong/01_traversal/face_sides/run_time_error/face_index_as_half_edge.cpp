@@ -1,4 +1,5 @@
 // Uses the face index as the index of a half-edge: he[-1] on the border.
+// Hint: You use the number of a face as that of a half-edge.
 #include "exercises/01_traversal/face_sides.h"
 
 int face_sides(const HalfEdgeTable& he, int i) {

@@ -1,4 +1,5 @@
 // The walk ends at half-edge 0, which most faces never meet.
+// Hint: Your walk waits for half-edge 0, which most faces never meet.
 #include "exercises/01_traversal/face_sides.h"
 
 int face_sides(const HalfEdgeTable& he, int i) {

@@ -1,4 +1,6 @@
 // Right, but counts the rows with this face: a look through the whole table.
+// Hint: Your answers are right, but you look through the whole table: what you
+// need is a few steps away.
 #include "exercises/01_traversal/face_sides.h"
 
 int face_sides(const HalfEdgeTable& he, int i) {

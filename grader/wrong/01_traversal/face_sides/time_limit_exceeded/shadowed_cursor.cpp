@@ -1,4 +1,5 @@
 // Declares a second i inside the loop: the first one never moves.
+// Hint: You wait for a start that your walk never meets.
 #include "exercises/01_traversal/face_sides.h"
 
 int face_sides(const HalfEdgeTable& he, int i) {

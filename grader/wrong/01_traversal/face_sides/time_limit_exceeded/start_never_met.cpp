@@ -1,4 +1,5 @@
 // Remembers the opposite half-edge as the start: the walk never meets it.
+// Hint: You wait for a start that your walk never meets.
 #include "exercises/01_traversal/face_sides.h"
 
 int face_sides(const HalfEdgeTable& he, int i) {

@@ -1,4 +1,6 @@
 // Counts the different vertices of the face.
+// Hint: You end the walk at a vertex that you have seen: a face may pass a
+// vertex twice.
 #include "exercises/01_traversal/face_sides.h"
 
 #include <set>

@@ -1,4 +1,5 @@
 // Looks three steps ahead and knows triangles and quads only.
+// Hint: You know triangles and quads only; faces may have more sides.
 #include "exercises/01_traversal/face_sides.h"
 
 int face_sides(const HalfEdgeTable& he, int i) {

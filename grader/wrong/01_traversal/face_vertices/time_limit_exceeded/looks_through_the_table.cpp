@@ -1,4 +1,6 @@
 // Right, but looks for each next side in the whole table.
+// Hint: Your answers are right, but you look through the whole table: what you
+// need is a few steps away.
 #include "exercises/01_traversal/face_vertices.h"
 
 std::vector<int> face_vertices(const HalfEdgeTable& he, int i) {

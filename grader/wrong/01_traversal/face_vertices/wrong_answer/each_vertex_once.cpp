@@ -1,4 +1,6 @@
 // Leaves a vertex out that the face passes a second time.
+// Hint: You end the walk at a vertex that you have seen: a face may pass a
+// vertex twice.
 #include "exercises/01_traversal/face_vertices.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Walks from the anchor -1 of an isolated vertex: he[-1].
+// Hint: You forgot vertices that have no half-edge at all.
 #include "exercises/01_traversal/outgoing.h"
 
 std::vector<int> outgoing(const HalfEdgeTable& he, const Anchors& anchors,

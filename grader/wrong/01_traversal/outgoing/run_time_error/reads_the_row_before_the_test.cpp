@@ -1,4 +1,6 @@
 // Reads the row of the anchor before it asks whether there is one: he[-1].
+// Hint: You read the table before you ask whether the vertex has a half-edge at
+// all.
 #include "exercises/01_traversal/outgoing.h"
 
 std::vector<int> outgoing(const HalfEdgeTable& he, const Anchors& anchors,

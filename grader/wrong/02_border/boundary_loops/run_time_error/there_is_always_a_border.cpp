@@ -1,4 +1,6 @@
 // Looks for the first border half-edge without a limit.
+// Hint: You look for the border of a mesh that has none, and past the end of
+// the table.
 #include "exercises/02_border/boundary_loops.h"
 
 namespace {

@@ -1,4 +1,5 @@
 // Right, but walks the whole loop again from each of its half-edges.
+// Hint: Your answers are right, but you walk the same loop again and again.
 #include "exercises/02_border/boundary_loops.h"
 
 namespace {

@@ -1,4 +1,6 @@
 // Puts all half-edges without a face into one list.
+// Hint: You put all half-edges without a face into one list; there may be
+// several loops.
 #include "exercises/02_border/boundary_loops.h"
 
 std::vector<std::vector<int>> boundary_loops(const HalfEdgeTable& he) {

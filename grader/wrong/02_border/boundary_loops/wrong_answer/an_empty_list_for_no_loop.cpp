@@ -1,4 +1,5 @@
 // Returns one empty loop where there is none.
+// Hint: You give an empty loop where there is no loop.
 #include "exercises/02_border/boundary_loops.h"
 
 #include <set>

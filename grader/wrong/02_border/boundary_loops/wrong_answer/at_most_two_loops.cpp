@@ -1,4 +1,5 @@
 // Assumes that a mesh has at most two borders.
+// Hint: You know two borders at most.
 #include "exercises/02_border/boundary_loops.h"
 
 namespace {

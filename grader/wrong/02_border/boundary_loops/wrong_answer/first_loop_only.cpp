@@ -1,4 +1,5 @@
 // Stops after the first loop.
+// Hint: You stop after the first loop.
 #include "exercises/02_border/boundary_loops.h"
 
 namespace {

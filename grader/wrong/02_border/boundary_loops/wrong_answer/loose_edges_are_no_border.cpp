@@ -1,4 +1,6 @@
 // Takes a half-edge for border only if a face is across.
+// Hint: You take a half-edge for border only where a face is across; edges may
+// have none at all.
 #include "exercises/02_border/boundary_loops.h"
 
 #include <set>

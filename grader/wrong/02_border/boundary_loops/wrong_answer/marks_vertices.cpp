@@ -1,4 +1,5 @@
 // Marks vertices instead of half-edges: a vertex may be passed twice.
+// Hint: You mark vertices; a border may pass a vertex twice.
 #include "exercises/02_border/boundary_loops.h"
 
 #include <set>

@@ -1,4 +1,6 @@
 // Collects every half-edge without a face, by number, in one scan.
+// Hint: You collect half-edges without a face wherever they are; one walk was
+// asked for.
 #include "exercises/02_border/boundary_walk.h"
 
 std::vector<int> boundary_walk(const HalfEdgeTable& he, int i) {

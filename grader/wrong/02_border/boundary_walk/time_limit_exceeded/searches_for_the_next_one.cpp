@@ -1,4 +1,6 @@
 // Right where a vertex is passed once, but searches the table at every step.
+// Hint: Your answers are right, but you search at every step what the table
+// tells.
 #include "exercises/02_border/boundary_walk.h"
 
 std::vector<int> boundary_walk(const HalfEdgeTable& he, int i) {

@@ -1,4 +1,6 @@
 // Takes the start before it crosses over: the walk never gets back there.
+// Hint: You take the start before you go over to the border, and the walk never
+// comes back there.
 #include "exercises/02_border/boundary_walk.h"
 
 std::vector<int> boundary_walk(const HalfEdgeTable& he, int i) {

@@ -1,5 +1,7 @@
 // Believes that half-edges stand in pairs 0-1, 2-3, and so walks where no
 // border is.
+// Hint: You take the half-edge in the neighbouring row for the opposite one;
+// the table says which it is.
 #include "exercises/02_border/boundary_walk.h"
 
 std::vector<int> boundary_walk(const HalfEdgeTable& he, int i) {

@@ -1,4 +1,6 @@
 // Collects the loop in a set: the order is that of the table.
+// Hint: Your half-edges are the right ones, in the order of the table and not
+// of the walk.
 #include "exercises/02_border/boundary_walk.h"
 
 #include <set>

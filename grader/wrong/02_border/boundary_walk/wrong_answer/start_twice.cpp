@@ -1,4 +1,5 @@
 // Has the start at both ends of the list.
+// Hint: You list the start at both ends.
 #include "exercises/02_border/boundary_walk.h"
 
 std::vector<int> boundary_walk(const HalfEdgeTable& he, int i) {

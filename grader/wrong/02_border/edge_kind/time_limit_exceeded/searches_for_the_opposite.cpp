@@ -1,4 +1,6 @@
 // Right, but searches the whole table for the opposite half-edge.
+// Hint: Your answers are right, but you read far more of the table than one
+// edge.
 #include "exercises/02_border/edge_kind.h"
 
 EdgeKind edge_kind(const HalfEdgeTable& he, int i) {

@@ -1,4 +1,6 @@
 // Right, but walks all of the loop on either side: long on a border.
+// Hint: Your answers are right, but you read far more of the table than one
+// edge.
 #include "exercises/02_border/edge_kind.h"
 
 EdgeKind edge_kind(const HalfEdgeTable& he, int i) {

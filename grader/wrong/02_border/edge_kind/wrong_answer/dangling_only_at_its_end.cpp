@@ -1,4 +1,5 @@
 // Finds a loose edge by its free end: misses one that joins two others.
+// Hint: You look for the free end of a loose edge; it may have none.
 #include "exercises/02_border/edge_kind.h"
 
 EdgeKind edge_kind(const HalfEdgeTable& he, int i) {

@@ -1,4 +1,6 @@
 // Believes that half-edges stand in pairs 0-1, 2-3: opp is not read.
+// Hint: You take the half-edge in the neighbouring row for the opposite one;
+// the table says which it is.
 #include "exercises/02_border/edge_kind.h"
 
 EdgeKind edge_kind(const HalfEdgeTable& he, int i) {

@@ -1,4 +1,5 @@
 // Compares the two sides: a face on both sides of one edge looks loose.
+// Hint: You compare the two sides; the same face may lie on both of them.
 #include "exercises/02_border/edge_kind.h"
 
 EdgeKind edge_kind(const HalfEdgeTable& he, int i) {

@@ -1,4 +1,6 @@
 // Right, but searches the whole table for half-edges of the vertex.
+// Hint: Your answers are right, but you look through the whole table: what you
+// need is a few steps away.
 #include "exercises/02_border/is_border_vertex.h"
 
 bool is_border_vertex(const HalfEdgeTable& he, int i) {

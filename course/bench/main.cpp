@@ -10,6 +10,7 @@
 #include <functional>
 #include <stdexcept>
 
+#include "course/bench/accepted.h"
 #include "course/bench/fresh_process.h"
 #include "course/bench/meshes.h"
 #include "course/bench/peers.h"
@@ -235,6 +236,8 @@ void measure_made(const Options& options) {
 
 void measure(const Options& options) {
     if (options.files.empty()) measure_made(options);
+    if (options.files.empty() && options.wants("accepted"))
+        count_accepted(options.quick ? 100 : 2000);
     for (const std::string& file : options.files) {
         measure_mesh(mesh_of_file(file));
         measure_file(file);
@@ -268,7 +271,7 @@ int main(int argc, char** argv) {
         ->check(CLI::Range(1, 100))
         ->capture_default_str();
     std::vector<std::string> parts = bench::made_meshes();
-    parts.insert(parts.end(), {"files", "subscript"});
+    parts.insert(parts.end(), {"files", "subscript", "accepted"});
     app.add_option("--part", options.parts, "only these parts")
         ->check(CLI::IsMember(parts));
     app.add_option("files", options.files, "OBJ and OFF files instead")

@@ -140,7 +140,7 @@ public:
         return std::nullopt;
     }
 
-    void take(ArchiveEntry entry) {
+    void take(const ArchiveEntry& entry) {
         if (entry.kind == ArchiveEntry::Kind::refused || entry.path.empty())
             return;
         const std::vector<std::string_view> at = parts(entry.path);
@@ -236,7 +236,7 @@ ExportSurvey survey_archive(int file, ArchiveFormat format,
         file, format,
         {limits.class_entries, limits.class_bytes, largest_gradescope_metadata},
         cpu_seconds, ArchiveSurvey::most_bytes,
-        [&](ArchiveEntry entry) { survey.take(std::move(entry)); });
+        [&](const ArchiveEntry& entry) { survey.take(entry); });
     return chosen(survey.take_top(), wanted, [&](const std::string& root) {
         return survey.take_inner(root);
     });

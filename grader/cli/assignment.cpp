@@ -37,11 +37,11 @@ std::string late_of(const Assignment& assignment) {
         text = fmt::format("{} % less for each day that has begun",
                            course::points_text(late.percent_per_day));
     if (late.grace_minutes > 0)
-        text += fmt::format(", after {} minutes of grace", late.grace_minutes);
+        text += fmt::format("; minutes of grace: {}", late.grace_minutes);
     if (late.free_days > 0)
-        text += fmt::format(", the first {} days cost nothing", late.free_days);
+        text += fmt::format("; days that cost nothing: {}", late.free_days);
     if (late.last_day)
-        text += fmt::format(", nothing after day {}", *late.last_day);
+        text += fmt::format("; last day that counts: {}", *late.last_day);
     return text;
 }
 
@@ -58,7 +58,7 @@ std::string_view words(FeedbackLevel level) {
 }
 
 std::string summary(const Assignment& assignment) {
-    std::string text = fmt::format("{}: {} exercises\n", assignment.name,
+    std::string text = fmt::format("{}, exercises: {}\n", assignment.name,
                                    assignment.exercises.size());
     for (const Assignment::Item& item : assignment.exercises)
         text += weight_of(item);

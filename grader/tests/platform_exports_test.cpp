@@ -1,8 +1,8 @@
 // Whole classes from three platforms, from the download to the table of grades.
 #include "grader/tests/platform_exports.h"
 
+#include <cmath>
 #include <fstream>
-#include <sstream>
 
 #include "grader/report/csv_table.h"
 #include "grader/tests/class_on_disk.h"
@@ -93,6 +93,15 @@ std::string value(const CsvTable& table, const std::string& column,
     return "no row";
 }
 
+/// Whether so much of what the exercise gave counts in the row of that number.
+/// How much that is depends on a machine's load: limits are in seconds.
+bool counts(const CsvTable& grades, const std::string& number, double factor) {
+    const double points =
+        std::stod(value(grades, "number", number, "face_sides"));
+    const double total = std::stod(value(grades, "number", number, "total"));
+    return std::abs(total - factor * points) < 0.01;
+}
+
 }  // namespace
 
 TEST_CASE("the exports are the same each time") {
@@ -163,10 +172,9 @@ TEST_CASE("late work from Gradescope costs what the assignment says") {
         const bool late = one.kind == Kind::late && one.number != 33;
         CHECK(value(grades, "number", number, "late") ==
               (late ? "2 days late, 80 % counts" : ""));
-        const bool empty = one.kind == Kind::empty;
-        CHECK(value(grades, "number", number, "percent") == (empty  ? "0.0"
-                                                             : late ? "80.0"
-                                                                    : "100.0"));
+        CHECK(counts(grades, number, late ? 0.8 : 1));
+        CHECK(value(grades, "number", number, "status") ==
+              (one.kind == Kind::empty ? "nothing submitted" : "complete"));
     }
 }
 
@@ -181,7 +189,7 @@ TEST_CASE("teams from Moodle get their members and times by the worksheet") {
     for (const MadeUp& one : made_up_class()) {
         CAPTURE(one.name());
         const std::string number = std::to_string(moodle_number(one));
-        CHECK(value(grades, "number", number, "percent") ==
-              (team_of(one) == 3 ? "80.0" : "100.0"));
+        CHECK(counts(grades, number, team_of(one) == 3 ? 0.8 : 1));
+        CHECK(value(grades, "number", number, "status") == "complete");
     }
 }

@@ -54,9 +54,11 @@ Html columns(const std::vector<Bar>& bars, std::string_view what) {
     for (const Bar& bar : bars) tallest = std::max(tallest, bar.count);
     const double step = width / static_cast<double>(bars.size());
     Html drawn;
+    const double wide = std::min(step * 0.84, 46.0);
     for (std::size_t k = 0; k < bars.size(); ++k)
-        drawn += column(bars[k], static_cast<double>(k) * step + step * 0.08,
-                        step * 0.84, tallest);
+        drawn +=
+            column(bars[k], (static_cast<double>(k) + 0.5) * step - wide / 2,
+                   wide, tallest);
     return markup(
         R"(<svg class="columns" viewBox="0 0 {:.0f} {:.0f}" role="img" )"
         R"(aria-label="{}">)"

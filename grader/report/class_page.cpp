@@ -233,7 +233,7 @@ Html mean_row(const ClassSummary& results, Columns columns) {
 }
 
 void add_table(Html& page, const ClassSummary& results, Columns columns) {
-    append(page, R"(<div class="wide"><table class="class">
+    append(page, R"(<table class="class">
 <thead>
 {}{}</thead>
 <tbody>
@@ -243,7 +243,7 @@ void add_table(Html& page, const ClassSummary& results, Columns columns) {
         for (const Member& one : people_of(results.run.students[k]))
             add_student(page, results, k, one.name, columns);
     append(page, R"({}</tbody>
-</table></div>
+</table>
 )",
            mean_row(results, columns));
 }
@@ -384,13 +384,13 @@ Html stuck_section(const ClassSummary& results) {
     return markup(R"(<h2>Who is stuck where</h2>
 <p class="soft">Not accepted, and the last two attempts or more brought no )"
                   R"(more points.</p>
-<div class="wide"><table>
+<table>
 <thead><tr><th>student</th><th>exercise</th><th class="n">attempts</th>)"
                   R"(<th class="n">in vain</th><th class="n">best</th>)"
                   R"(<th>since</th></tr></thead>
 <tbody>
 {}</tbody>
-</table></div>
+</table>
 )",
                   rows);
 }
@@ -445,12 +445,12 @@ Html all_cases_section(const ClassSummary& results) {
             bar(static_cast<double>(one.judged - one.failed) / one.judged),
             fmt::format("{} of {}", one.judged - one.failed, one.judged));
     return markup(R"(<details><summary>Every case: how many pass it</summary>
-<div class="wide"><table>
+<table>
 <thead><tr><th>exercise</th><th>case</th><th></th><th class="n">passed</th>)"
                   R"(</tr></thead>
 <tbody>
 {}</tbody>
-</table></div>
+</table>
 </details>
 )",
                   rows);

@@ -57,6 +57,7 @@ th, td { text-align: left; padding: 6px 10px 6px 0; vertical-align: baseline;
 thead th { font-size: 0.87rem; font-weight: 600; color: var(--soft);
            border-bottom: 1.5px solid var(--ink); vertical-align: bottom; }
 .n { text-align: right; white-space: nowrap; }
+.n + td:not(.n), .n + th:not(.n) { padding-left: 16px; }
 .numbers { display: flex; flex-wrap: wrap; margin: 24px 0 8px; padding: 0;
            border-top: 1.5px solid var(--ink);
            border-bottom: 1px solid var(--line); }
@@ -155,7 +156,6 @@ constexpr std::string_view style_after =
                       color: var(--soft); }
 .key { display: inline-block; width: 22px; height: 11px;
        border: 1px solid var(--line); border-radius: 2px; }
-.wide { overflow-x: auto; }
 details { margin: 12px 0; }
 summary { cursor: pointer; color: var(--blue); }
 footer { margin-top: 48px; padding-top: 10px; color: var(--soft);
@@ -166,6 +166,11 @@ footer { margin-top: 48px; padding-top: 10px; color: var(--soft);
   .numbers div { padding: 8px 14px 8px 0; margin-right: 14px; }
   .numbers dd { font-size: 1.4rem; }
   th, td { padding-right: 6px; }
+  /* Too wide for a phone: each scrolls by itself. */
+  table:not(.exercises) { display: block; overflow-x: auto; }
+  .exercises td { overflow-wrap: anywhere; }
+  .exercises .wide-bar { width: 35%; min-width: 70px; }
+  .exercises tr > :nth-child(3) { display: none; }
   .failure dl { flex-basis: 100%; grid-template-columns: 72px 1fr; }
 }
 @media print {
@@ -175,7 +180,6 @@ footer { margin-top: 48px; padding-top: 10px; color: var(--soft);
   h2 { margin-top: 26px; break-after: avoid; }
   h2 + p, h3, .exercise > header, .cases .hint { break-after: avoid; }
   tr, figure, .alert { break-inside: avoid; }
-  .wide { overflow: visible; }
   details { display: none; }
   .charts { grid-template-columns: 1fr 1fr; gap: 0 24px; }
   .charts figure { max-width: none; }

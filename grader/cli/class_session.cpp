@@ -104,27 +104,6 @@ std::optional<Platform> platform_of(const ClassOptions& options) {
     return platforms.at(options.platform);
 }
 
-SubmittedClass submissions_of(const ClassOptions& options,
-                              const std::vector<course::Exercise>& exercises) {
-    std::vector<std::string> files;
-    for (const course::Exercise& exercise : exercises)
-        files.push_back(exercise.file_name());
-    try {
-        SubmittedClass found =
-            find_submissions(options.dir, files, {}, platform_of(options));
-        if (!options.only.empty() &&
-            std::none_of(
-                found.submissions.begin(), found.submissions.end(),
-                [&](const Submission& s) { return is_named(s, options.only); }))
-            throw CannotBegin(
-                fmt::format("{} has no folder or archive of \"{}\"",
-                            options.dir.string(), options.only));
-        return found;
-    } catch (const IngestError& error) {
-        throw CannotBegin(error.what());
-    }
-}
-
 void add_times(const ClassOptions& options,
                const std::optional<Assignment>& assignment,
                SubmittedClass& submitted) {
@@ -155,16 +134,6 @@ course::Descriptor lock_folder(const fs::path& folder) {
             "another folder",
             folder.string()));
     return lock;
-}
-
-std::vector<course::Exercise> exercises_of(
-    const std::optional<Assignment>& assignment) {
-    if (!assignment) return course::all_exercises();
-    std::vector<course::Exercise> exercises;
-    for (const Assignment::Item& item : assignment->exercises)
-        exercises.push_back(
-            course::exercise_named(std::string(short_name(item.exercise))));
-    return exercises;
 }
 
 /// The chapters of which somebody handed in a file; all when nobody did.
@@ -212,6 +181,37 @@ course::Descriptor make_and_lock(const fs::path& folder) {
 }
 
 }  // namespace
+
+SubmittedClass submissions_of(const ClassOptions& options,
+                              const std::vector<course::Exercise>& exercises) {
+    std::vector<std::string> files;
+    for (const course::Exercise& exercise : exercises)
+        files.push_back(exercise.file_name());
+    try {
+        SubmittedClass found =
+            find_submissions(options.dir, files, {}, platform_of(options));
+        if (!options.only.empty() &&
+            std::none_of(
+                found.submissions.begin(), found.submissions.end(),
+                [&](const Submission& s) { return is_named(s, options.only); }))
+            throw CannotBegin(
+                fmt::format("{} has no folder or archive of \"{}\"",
+                            options.dir.string(), options.only));
+        return found;
+    } catch (const IngestError& error) {
+        throw CannotBegin(error.what());
+    }
+}
+
+std::vector<course::Exercise> exercises_of(
+    const std::optional<Assignment>& assignment) {
+    if (!assignment) return course::all_exercises();
+    std::vector<course::Exercise> exercises;
+    for (const Assignment::Item& item : assignment->exercises)
+        exercises.push_back(
+            course::exercise_named(std::string(short_name(item.exercise))));
+    return exercises;
+}
 
 std::optional<Assignment> assignment_in(const fs::path& file) {
     if (file.empty()) return std::nullopt;

@@ -22,14 +22,22 @@ struct ClassOptions {
     std::filesystem::path out;
     std::filesystem::path assignment;
     std::string only;
-    std::string platform;  ///< empty: recognised
-    std::string times;     ///< "files", or a table of times; or empty
+    std::string platform;      ///< empty: recognised
+    std::string times;         ///< "files", or a table of times; or empty
     bool no_mistakes = false;  ///< recognise none
     JudgingOptions judging;
     ExecutorOptions executor;
 
     void add_to(CLI::App& app);
 };
+
+/// The exercises of an assignment; all without one.
+std::vector<course::Exercise> exercises_of(
+    const std::optional<Assignment>& assignment);
+
+/// What was handed in of them. Throws CannotBegin.
+SubmittedClass submissions_of(const ClassOptions& options,
+                              const std::vector<course::Exercise>& exercises);
 
 /// A class and the folder with its gradebook, which nobody else grades into as
 /// long as this lives.

@@ -78,6 +78,7 @@ void add_history(CLI::App& program, int& code);
 void add_diff(CLI::App& program, int& code);
 void add_override(CLI::App& program, int& code);
 void add_export(CLI::App& program, int& code);
+void add_plagiarism(CLI::App& program, int& code);
 void add_release(CLI::App& program, int& code);
 void add_assignment(CLI::App& program, int& code);
 void add_doctor(CLI::App& program, int& code);

@@ -25,6 +25,7 @@ int main(int argc, char** argv) {
     grader::add_diff(program, code);
     grader::add_override(program, code);
     grader::add_export(program, code);
+    grader::add_plagiarism(program, code);
     grader::add_release(program, code);
     grader::add_assignment(program, code);
     grader::add_doctor(program, code);

@@ -367,7 +367,8 @@ std::vector<Stuck> longest_stuck(const ClassSummary& results) {
 Html stuck_row(const ClassSummary& results, const Stuck& one) {
     return markup(
         R"(<tr><td><bdi>{}</bdi></td><td>{}</td><td class="n">{}</td>)"
-        R"(<td class="n">{}</td><td class="n">{} of {}</td><td>{}</td></tr>)"
+        R"(<td class="n">{}</td><td class="n">{} of {}</td>)"
+        R"(<td class="when">{}</td></tr>)"
         "\n",
         results.run.students[one.student].name,
         short_name(results.exercises[one.exercise].exercise), one.attempts,

@@ -57,6 +57,7 @@ th, td { text-align: left; padding: 6px 10px 6px 0; vertical-align: baseline;
 thead th { font-size: 0.87rem; font-weight: 600; color: var(--soft);
            border-bottom: 1.5px solid var(--ink); vertical-align: bottom; }
 .n { text-align: right; white-space: nowrap; }
+.when { white-space: nowrap; }
 .n + td:not(.n), .n + th:not(.n) { padding-left: 16px; }
 .numbers { display: flex; flex-wrap: wrap; margin: 24px 0 8px; padding: 0;
            border-top: 1.5px solid var(--ink);
@@ -168,8 +169,8 @@ footer { margin-top: 48px; padding-top: 10px; color: var(--soft);
   th, td { padding-right: 6px; }
   /* Too wide for a phone: each scrolls by itself. */
   table:not(.exercises) { display: block; overflow-x: auto; }
-  .exercises td { overflow-wrap: anywhere; }
-  .exercises .wide-bar { width: 35%; min-width: 70px; }
+  td bdi { overflow-wrap: break-word; }
+  .exercises .wide-bar { width: 30%; min-width: 70px; }
   .exercises tr > :nth-child(3) { display: none; }
   .failure dl { flex-basis: 100%; grid-template-columns: 72px 1fr; }
 }

@@ -30,6 +30,7 @@ void make_older(const std::filesystem::path& file, int version) {
     for (const char* column : {"person", "key", "submitted_at", "marked_late"})
         execute(file,
                 std::string("ALTER TABLE run_students DROP COLUMN ") + column);
+    execute(file, "DROP TABLE run_mistakes");
     execute(file, "ALTER TABLE attempts DROP COLUMN source");
     execute(file, "ALTER TABLE runs DROP COLUMN user");
     if (version == 1) execute(file, "ALTER TABLE runs DROP COLUMN proposed");

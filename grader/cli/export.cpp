@@ -107,6 +107,41 @@ int export_command(const Options& options) {
     return is_whole ? 0 : 1;
 }
 
+/// How the columns of Moodle's table are called, and whether all are filled.
+void add_columns(CLI::App& command, MoodleOptions& columns,
+                 CLI::Option* moodle) {
+    command
+        .add_option("--grade-column", columns.grade_column,
+                    "Moodle: header of the grades")
+        ->needs(moodle);
+    command
+        .add_option("--feedback-column", columns.feedback_column,
+                    "Moodle: header of the feedback")
+        ->needs(moodle);
+    command
+        .add_flag("!--no-feedback", columns.with_feedback,
+                  "Moodle: leave the feedback as it is")
+        ->needs(moodle);
+}
+
+void add_tables(CLI::App& command, Options& options) {
+    CLI::Option* moodle = command.add_option(
+        "--moodle", options.moodle,
+        "Moodle's grading worksheet: its grades and feedback are filled in");
+    CLI::Option* canvas =
+        command.add_option("--canvas", options.canvas,
+                           "Canvas's gradebook: one column is filled in");
+    command.add_option("--to", options.to,
+                       "the filled table (default: in its place, with a "
+                       "backup beside it)");
+    command
+        .add_option("--column", options.column,
+                    "Canvas: name or number of the column (default: the "
+                    "assignment's name)")
+        ->needs(canvas);
+    add_columns(command, options.columns, moodle);
+}
+
 }  // namespace
 
 void add_export(CLI::App& program, int& code) {
@@ -118,35 +153,10 @@ void add_export(CLI::App& program, int& code) {
     command->add_option("--assignment", options->assignment,
                         "as for run: weights, bonus, rounding (default: each "
                         "exercise with weight 1)");
-    CLI::Option* moodle = command->add_option(
-        "--moodle", options->moodle,
-        "Moodle's grading worksheet: its grades and feedback are filled in");
-    CLI::Option* canvas =
-        command->add_option("--canvas", options->canvas,
-                            "Canvas's gradebook: one column is filled in");
+    add_tables(*command, *options);
     command->add_option("--json", options->json,
                         "all results for other programs, in a new file "
                         "(grader/report/results_json.h says what is in it)");
-    command->add_option("--to", options->to,
-                        "the filled table (default: in its place, with a "
-                        "backup beside it)");
-    command
-        ->add_option("--column", options->column,
-                     "Canvas: name or number of the column (default: the "
-                     "assignment's name)")
-        ->needs(canvas);
-    command
-        ->add_option("--grade-column", options->columns.grade_column,
-                     "Moodle: header of the grades")
-        ->needs(moodle);
-    command
-        ->add_option("--feedback-column", options->columns.feedback_column,
-                     "Moodle: header of the feedback")
-        ->needs(moodle);
-    command
-        ->add_flag("!--no-feedback", options->columns.with_feedback,
-                   "Moodle: leave the feedback as it is")
-        ->needs(moodle);
     command->footer(
         "Exit code: 0 every student has a row with a grade, and every row a "
         "student; 1 what\nis said has to be looked at, all else is done; 2 "

@@ -389,6 +389,9 @@ TEST_CASE("a worksheet is filled into another file, and itself stays") {
     CHECK(course::read_file(run.sheet) == run.text);
     CHECK_THAT(course::read_file(to), Containing(",anna.rossi,,35,"));
     CHECK_FALSE(fs::exists(run.sheet.string() + ".bak"));
+    CHECK(run.exports({"--moodle", run.sheet, "--to", to, "--no-feedback"})
+              .code == 1);
+    CHECK_THAT(course::read_file(to), Containing(",35,35.00,Yes,-,\n"));
 }
 
 TEST_CASE("what cannot be exported changes nothing") {

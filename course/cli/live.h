@@ -23,8 +23,8 @@ std::string large_sentence(const std::string& messages);
 /// `stop` (a descriptor) can be read.
 bool wait_for_save(FileWatch& file, int stop);
 
-/// Shows the page now and after each save, until `stop` can be read. Saves in quick succession, and those while a page is being made, are
-/// one.
+/// Shows the page now and after each save, until `stop` can be read. Saves in
+/// quick succession, and those while a page is being made, are one.
 void follow(FileWatch& file, PageServer& server, const MakePage& make,
             int stop);
 

@@ -53,11 +53,10 @@ std::string what_can_be_shown();
 /// Throws SystemError.
 void make_ready_to_record(const std::vector<Exercise>& exercises);
 
-/// Records the reference and the file; precondition: it was made ready. A walk that ends in an error is no
-/// error: it is recorded up to there.
-/// Costs about a second; with an endless loop that reads no table two more.
-/// Throws CannotShow, DoesNotCompile, and SystemError when something of ours
-/// fails.
+/// Records the reference and the file; precondition: it was made ready. A walk
+/// that ends in an error is no error: it is recorded up to there. Costs about a
+/// second; with an endless loop that reads no table two more. Throws
+/// CannotShow, DoesNotCompile, and SystemError when something of ours fails.
 Recording record(const Exercise& exercise, const RecordOptions& options);
 
 }  // namespace course

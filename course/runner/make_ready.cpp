@@ -62,9 +62,12 @@ void make_targets(const std::vector<std::string>& targets) {
     if (::access(build_root().c_str(), W_OK) != 0) return;
     const Descriptor lock = build_lock();
     Command build;
-    build.arguments = {COURSE_CMAKE,         "--build",
-                       build_root(),         "--parallel",
-                       std::to_string(core_count()), "--target"};
+    build.arguments = {COURSE_CMAKE,
+                       "--build",
+                       build_root(),
+                       "--parallel",
+                       std::to_string(core_count()),
+                       "--target"};
     build.arguments.insert(build.arguments.end(), targets.begin(),
                            targets.end());
     build.environment = plain_environment();

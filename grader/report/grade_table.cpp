@@ -26,7 +26,10 @@ std::optional<PlatformName> parse_short(const std::string& name) {
     return PlatformName{name.substr(0, last), name.substr(last + 1)};
 }
 
-PlatformName name_of(const Student& student, Platform from) {
+PlatformName name_of(const Student& student, const Member& member,
+                     Platform from) {
+    if (!member.number.empty() || !student.members.empty())
+        return {member.name, member.number};
     const auto parse = from == Platform::canvas ? parse_canvas : parse_moodle;
     if (const auto name = parse(student.name)) return *name;
     return parse_short(student.name).value_or(PlatformName{student.name, ""});
@@ -44,10 +47,14 @@ std::string feedback(const ClassSummary& results, const Scores& scores,
             "{} {}: {} of {}, {}", k == 0 ? "" : ";", short_name(one.exercise),
             points_text(scores[k]->points), points_text(one.suite.max),
             words(scores[k]->verdict));
+        if (scores[k]->by_hand) text += ", set by hand";
         if (one.weight != 1 || one.is_bonus)
             text += ", weight " + weight_text(one);
     }
-    return text + ".";
+    text += ".";
+    if (const std::string late = late_text(scores); !late.empty())
+        text += fmt::format(" Handed in {}.", late);
+    return text;
 }
 
 /// The rows that `fits` holds for.
@@ -167,10 +174,13 @@ std::vector<Grade> grades_for(const ClassSummary& results, Platform from) {
         const Student& student = results.run.students[k];
         const Scores& scores = results.students[k];
         const Total sum = total(results, scores);
-        const PlatformName name = name_of(student, from);
-        grades.push_back({student.name, name.key, name.person, sum.total,
-                          sum.max, status(scores),
-                          feedback(results, scores, sum)});
+        for (const Member& member : people_of(student)) {
+            const PlatformName name = name_of(student, member, from);
+            grades.push_back(
+                {student.members.empty() ? student.name : member.name, name.key,
+                 name.person, sum.total, sum.max, status(scores),
+                 feedback(results, scores, sum)});
+        }
     }
     return grades;
 }

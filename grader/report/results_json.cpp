@@ -68,18 +68,31 @@ Json case_json(const course::CaseResult& one) {
             {"failures", failures}};
 }
 
+/// `score` is what counts; what the suite gave stands with the cases.
 Json exercise_json(const GradedExercise& exercise,
+                   const std::optional<Score>& score,
                    const std::optional<course::ExerciseResult>& result) {
-    if (!result) return nullptr;
+    if (!score) return nullptr;
     Json cases = Json::array();
-    for (const course::CaseResult& one : result->cases)
-        cases.push_back(case_json(one));
+    if (result)
+        for (const course::CaseResult& one : result->cases)
+            cases.push_back(case_json(one));
     return {{"exercise", exercise.exercise},
-            {"verdict", course::name(result->verdict)},
-            {"points", result->points()},
+            {"verdict", course::name(score->verdict)},
+            {"points", score->points},
+            {"is_set_by_hand", score->by_hand},
             {"max", exercise.suite.max},
-            {"message", long_text(result->message)},
+            {"message", result ? long_text(result->message) : ""},
             {"cases", cases}};
+}
+
+Json people_json(const Student& student) {
+    Json people = Json::array();
+    for (const Member& one : people_of(student))
+        people.push_back({{"name", escape_json(one.name)},
+                          {"number", escape_json(one.number)},
+                          {"email", escape_json(one.email)}});
+    return people;
 }
 
 Json student_json(const GradedAssignment& graded,
@@ -88,14 +101,19 @@ Json student_json(const GradedAssignment& graded,
     const Total sum = total(graded, scores);
     Json student = {{"id", results.student.id},
                     {"name", escape_json(results.student.name)},
+                    {"people", people_json(results.student)},
                     {"status", words(status(scores))},
                     {"max", sum.max},
+                    {"days_late", scores.late.days},
+                    {"late_cost", sum.late_cost},
                     {"notes", texts(results.student.notes)},
                     {"exercises", Json::array()}};
     if (sum.total) student["total"] = *sum.total;
+    if (results.student.submitted_at)
+        student["submitted_at"] = *results.student.submitted_at;
     for (std::size_t k = 0; k < graded.exercises.size(); ++k)
-        student["exercises"].push_back(
-            exercise_json(graded.exercises[k], results.exercises[k]));
+        student["exercises"].push_back(exercise_json(
+            graded.exercises[k], scores[k], results.exercises[k]));
     return student;
 }
 

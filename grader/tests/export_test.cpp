@@ -339,6 +339,29 @@ TEST_CASE("feedback says points and verdicts, and no word of the student's") {
         CHECK(one.feedback.find_first_of("<>=\n\"") == one.feedback.npos);
 }
 
+TEST_CASE("feedback says what was set by hand, and what came late") {
+    ClassSummary results = summary_of(sample_class());
+    results.students[0][2] = Score{course::Verdict::wrong_answer, 4, true};
+    results.students[0].late = {2, 0.5};
+    const Grade grade = grades_for(results, Platform::moodle)[0];
+    CHECK(grade.total == 14.5);
+    CHECK(grade.feedback ==
+          "14.5 of 35 points. face_sides: 10 of 10, accepted; vertex_star: 10 "
+          "of 10, accepted, weight 1.5; boundary_walk: 4 of 10, wrong answer, "
+          "set by hand. Handed in 2 days late, 50 % counts.");
+}
+
+TEST_CASE("each member of a team that the export names gets its grade") {
+    ClassSummary results = summary_of(sample_class());
+    results.run.students[0].members = {{"Anna Rossi", "4711", "a@x"},
+                                       {"Bruno Bo", "", "b@x"}};
+    const auto grades = grades_for(results, Platform::canvas);
+    REQUIRE(grades.size() == results.students.size() + 1);
+    CHECK(grades[0].key == "4711");
+    CHECK(grades[1].student == "Bruno Bo");
+    CHECK(grades[0].total == grades[1].total);
+}
+
 namespace {
 
 /// A run's folder with the sample class, and a worksheet for its students.

@@ -177,7 +177,7 @@ private:
 
     /// By the key, as somebody's name may change between two attempts.
     std::string known_student(const PlatformName& name) {
-        const std::string student = student_of(name);
+        std::string student = student_of(name);
         if (name.key.empty()) return student;
         const auto [known, is_new] = by_key_.emplace(name.key, student);
         if (!is_new && known->second != student && said_.insert(student).second)

@@ -49,8 +49,7 @@ bool is_idiom(const std::string& line) {
     static const std::set<std::string> idioms = {
         "std::vector<int> corners(face.begin(), face.end());",
         "std::min_element(corners.begin(), corners.end()),",
-        "std::rotate(face.begin(), std::min_element(face.begin(), "
-        "face.end()),",
+        R"(std::rotate(face.begin(), std::min_element(face.begin(), face.end()),)",
         "const WingedEdge& edge = mesh.edges[static_cast<std::size_t>(e)];",
         "std::istringstream left(line.substr(0, line.find('#')));",
     };
@@ -167,7 +166,8 @@ private:
         for (const std::string& file : files_below(root / folder)) {
             std::string bytes = course::read_file(root / folder / file);
             if (!bytes.empty())
-                files_.emplace(std::move(bytes), folder + "/" + file);
+                files_.emplace(std::move(bytes),
+                               fmt::format("{}/{}", folder, file));
         }
     }
 

@@ -46,7 +46,7 @@ public:
         fs::create_directories(file_.parent_path());
         std::string text;
         for (const auto& [key, fingerprint] : known_)
-            text += key + " " + fingerprint + "\n";
+            text += fmt::format("{} {}\n", key, fingerprint);
         course::replace_text(file_, text);
     }
 

@@ -20,7 +20,6 @@ using course::escape_terminal;
 namespace {
 
 using course::CaseResult;
-using course::ExerciseResult;
 using course::Verdict;
 
 constexpr std::size_t widest_name = 24;

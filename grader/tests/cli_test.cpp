@@ -2,6 +2,7 @@
 // shape of what `judge --json` prints.
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "course/runner/temporary_folder.h"
 #include "grader/tests/grader_program.h"
@@ -66,9 +67,15 @@ TEST_CASE("every command has a help that ends with 0") {
     const Said all = grader_says({"--help"});
     CHECK(all.code == 0);
     for (const std::string command :
-         {"run", "judge", "validate", "show", "release"}) {
-        CHECK(contains(all.text, command));
-        const Said help = grader_says({command, "--help"});
+         {"run", "regrade", "judge", "validate", "show", "history", "diff",
+          "override", "export", "plagiarism", "release", "assignment check",
+          "doctor"}) {
+        std::vector<std::string> words;
+        std::istringstream in(command);
+        for (std::string word; in >> word;) words.push_back(word);
+        CHECK(contains(all.text, words[0]));
+        words.emplace_back("--help");
+        const Said help = grader_says(words);
         INFO(command);
         CHECK(help.code == 0);
         CHECK(contains(help.text, "Exit code"));
@@ -96,7 +103,12 @@ TEST_CASE("wrong usage ends with 2 and says what is wrong") {
     check_usage_error({"judge", "face_sides", "/"}, "is no file");
     check_usage_error({"validate", "no_such_exercise"}, "no exercise");
     check_usage_error({"show"}, "required");
-    check_usage_error({"release"}, "required");
+    check_usage_error({"release"}, "a folder for the student's copy");
+    check_usage_error({"export"}, "required");
+    check_usage_error({"override", "anna", "prev"}, "required");
+    check_usage_error({"plagiarism"}, "required");
+    check_usage_error({"assignment"}, "subcommand");
+    check_usage_error({"diff", "1", "2"}, "--out");
     check_usage_error({"validate", "--jobs", "0"}, "--jobs");
     check_usage_error({"validate", "--jobs", "many"}, "--jobs");
     check_usage_error({"validate", "--seed", "-x"}, "--seed");

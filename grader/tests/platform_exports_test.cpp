@@ -1,6 +1,7 @@
 // Whole classes from three platforms, from the download to the table of grades.
 #include "grader/tests/platform_exports.h"
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 
@@ -191,5 +192,79 @@ TEST_CASE("teams from Moodle get their members and times by the worksheet") {
         const std::string number = std::to_string(moodle_number(one));
         CHECK(counts(grades, number, team_of(one) == 3 ? 0.8 : 1));
         CHECK(value(grades, "number", number, "status") == "complete");
+    }
+}
+
+namespace {
+
+/// Moodle's worksheet of the class, nobody graded yet.
+std::string moodle_worksheet() {
+    std::string sheet =
+        "Identifier,Full name,Status,Grade,Maximum Grade,Grade can be changed,"
+        "Last modified (grade),Feedback comments\r\n";
+    for (const MadeUp& one : made_up_class())
+        sheet +=
+            fmt::format("Participant {},\"{}\",Submitted,,10.00,Yes,-,\r\n",
+                        moodle_number(one), one.name());
+    return sheet;
+}
+
+/// Canvas's gradebook of the class, with a column of another assignment.
+std::string canvas_gradebook() {
+    std::string book =
+        "Student,ID,SIS Login ID,Section,Zero (11),One (12),Final Score\n"
+        "    Points Possible,,,,5,10,(read only)\n";
+    for (const MadeUp& one : made_up_class())
+        book += fmt::format("\"{}, {}\",{},user{},A,3,,50\n", one.last,
+                            one.first, canvas_number(one), one.number);
+    return book;
+}
+
+/// The table with the grades of download's run, and nothing else changed.
+CsvTable filled(Download& download, const char* option,
+                const std::string& table,
+                const std::vector<std::string>& changing) {
+    download.disk().file("table.csv", table);
+    const Said said =
+        grader_says({"export", "--out", download.disk().at("out"),
+                     "--assignment", download.disk().at("one.toml"), option,
+                     download.disk().at("table.csv")});
+    CAPTURE(said.text);
+    CHECK(said.code <= 1);
+    const CsvTable before(table), after(read(download.disk().at("table.csv")));
+    REQUIRE(after.rows() == before.rows());
+    // To the byte it is proved by export_test.
+    for (std::size_t column = 0; column < before.columns(); ++column)
+        for (std::size_t row = 0; row < before.rows(); ++row)
+            if (row == 0 ||
+                std::find(changing.begin(), changing.end(),
+                          before.value(0, column)) == changing.end())
+                CHECK(after.value(row, column) == before.value(row, column));
+    return after;
+}
+
+}  // namespace
+
+TEST_CASE("grades of an export go out into the platform's own table") {
+    if (!has_sandbox()) return;
+    const bool is_moodle = GENERATE(true, false);
+    Download download(is_moodle ? moodle_export() : canvas_export());
+    const CsvTable grades = graded(download, assignment_text);
+    const CsvTable out =
+        is_moodle
+            ? filled(download, "--moodle", moodle_worksheet(),
+                     {"Grade", "Feedback comments"})
+            : filled(download, "--canvas", canvas_gradebook(), {"One (12)"});
+    for (const MadeUp& one : made_up_class()) {
+        CAPTURE(one.name());
+        const bool is_there = one.kind != MadeUp::Kind::misnamed;
+        const std::string total =
+            is_moodle ? value(out, "Identifier",
+                              fmt::format("Participant {}", moodle_number(one)),
+                              "Grade")
+                      : value(out, "ID", std::to_string(canvas_number(one)),
+                              "One (12)");
+        const bool is_empty = one.kind == MadeUp::Kind::empty;
+        if (is_there) CHECK(std::stod("0" + total) == (is_empty ? 0 : 10));
     }
 }

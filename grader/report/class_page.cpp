@@ -401,7 +401,7 @@ Html stuck_section(const ClassSummary& results) {
 Html case_row(const CaseCount& one) {
     return markup(
         "<tr><td>{}</td><td>{}</td><td>{}</td>"
-        R"(<td style="width:150px">{}</td><td class="n">{} of {}</td></tr>)"
+        R"(<td class="of-bar">{}</td><td class="n">{} of {}</td></tr>)"
         "\n",
         short_name(one.exercise), one.name,
         one.visibility == course::Visibility::shown ? "public" : "hidden",
@@ -420,7 +420,7 @@ Html cases_section(const ClassSummary& results) {
     return markup(R"(<h2>Cases that fail most</h2>
 <p class="soft">Out of the submissions that could be run.{}</p>
 <table>
-<thead><tr><th>exercise</th><th>case</th><th>suite</th><th></th>)"
+<thead><tr><th>exercise</th><th>case</th><th>suite</th><th class="of-bar"></th>)"
                   R"(<th class="n">failed</th></tr></thead>
 <tbody>
 {}</tbody>
@@ -440,14 +440,14 @@ Html all_cases_section(const ClassSummary& results) {
     for (const auto& [place, one] : results.cases)
         rows += markup(
             "<tr><td>{}</td><td>{}</td>"
-            R"(<td style="width:120px">{}</td><td class="n">{}</td></tr>)"
+            R"(<td class="of-bar">{}</td><td class="n">{}</td></tr>)"
             "\n",
             short_name(one.exercise), one.name,
             bar(static_cast<double>(one.judged - one.failed) / one.judged),
             fmt::format("{} of {}", one.judged - one.failed, one.judged));
     return markup(R"(<details><summary>Every case: how many pass it</summary>
 <table>
-<thead><tr><th>exercise</th><th>case</th><th></th><th class="n">passed</th>)"
+<thead><tr><th>exercise</th><th>case</th><th class="of-bar"></th><th class="n">passed</th>)"
                   R"(</tr></thead>
 <tbody>
 {}</tbody>

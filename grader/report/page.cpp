@@ -108,6 +108,7 @@ thead th { font-size: 0.87rem; font-weight: 600; color: var(--soft);
 .class .n { padding-left: 8px; padding-right: 8px; }
 .class .mean td { border-bottom: 0; color: var(--soft); font-size: 0.87rem;
                   border-top: 1.5px solid var(--ink); }
+.of-bar { width: 180px; }
 .exercise { margin: 34px 0 0; padding-top: 14px;
             border-top: 1.5px solid var(--ink); }
 .exercise > header { display: flex; align-items: baseline; gap: 12px; }
@@ -170,6 +171,9 @@ footer { margin-top: 48px; padding-top: 10px; color: var(--soft);
   /* Too wide for a phone: each scrolls by itself. */
   table:not(.exercises) { display: block; overflow-x: auto; }
   td bdi { overflow-wrap: break-word; }
+  /* The number beside it says the same. */
+  .bar, .of-bar, .no-file { display: none; }
+  .overview { font-size: 0.87rem; }
   .exercises .wide-bar { width: 30%; min-width: 70px; }
   .exercises tr > :nth-child(3) { display: none; }
   .failure dl { flex-basis: 100%; grid-template-columns: 72px 1fr; }

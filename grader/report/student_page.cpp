@@ -183,8 +183,8 @@ Html verdict_of(const GradedExercise& exercise,
     Html verdict =
         markup("{} {}", badge(result->verdict), words(result->verdict));
     if (!is_missing(result)) return verdict;
-    return markup(R"({}<span class="soft">: no file {}</span>)", verdict,
-                  exercise.suite.file);
+    return markup(R"({}<span class="soft no-file">: no file {}</span>)",
+                  verdict, exercise.suite.file);
 }
 
 /// The exercise's name; it leads to the section below, where there is one.
@@ -201,7 +201,7 @@ Html overview_row(const GradedAssignment& graded, const StudentResults& student,
     const auto& result = student.exercises[k];
     const double max = max_points(graded, k);
     return markup(
-        R"(<tr><td>{}</td><td>{}</td><td style="width:180px">{}</td>)"
+        R"(<tr><td>{}</td><td>{}</td><td class="of-bar">{}</td>)"
         R"(<td class="n">{}{}</td></tr>)"
         "\n",
         name_of(exercise, result), verdict_of(exercise, result),
@@ -216,8 +216,8 @@ Html overview(const GradedAssignment& graded, const StudentResults& student) {
     Html rows;
     for (std::size_t k = 0; k < graded.exercises.size(); ++k)
         rows += overview_row(graded, student, k);
-    return markup(R"(<table>
-<thead><tr><th>exercise</th><th>verdict</th><th></th>)"
+    return markup(R"(<table class="overview">
+<thead><tr><th>exercise</th><th>verdict</th><th class="of-bar"></th>)"
                   R"(<th class="n">points</th></tr></thead>
 <tbody>
 {}</tbody>

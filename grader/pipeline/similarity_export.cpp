@@ -61,7 +61,7 @@ std::string info_csv(const SubmittedClass& submitted, std::size_t exercise,
 std::vector<std::string> export_for_similarity(
     const SubmittedClass& submitted, const std::vector<Exercise>& exercises,
     Naming naming, const fs::path& folder) {
-    const std::vector<std::string> names = names_of(submitted, naming);
+    std::vector<std::string> names = names_of(submitted, naming);
     fs::create_directories(folder / "submissions");
     for (std::size_t e = 0; e < exercises.size(); ++e) {
         const std::string file = exercises[e].file_name();

@@ -1,4 +1,6 @@
 // Searches all edges for each side.
+// Hint: Your answers are right, but you go through all that you have again and
+// again.
 #include "exercises/05_structures/adjacency.h"
 
 #include <algorithm>

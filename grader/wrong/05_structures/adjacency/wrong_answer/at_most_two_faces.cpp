@@ -1,4 +1,6 @@
 // Has room for two faces at an edge, and drops more.
+// Hint: At an edge, you rely on what holds only on surfaces: that two faces
+// meet there, wound in opposite ways.
 #include "exercises/05_structures/adjacency.h"
 
 #include <algorithm>

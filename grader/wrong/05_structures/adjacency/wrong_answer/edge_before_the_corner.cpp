@@ -1,4 +1,5 @@
 // Notes at place i the edge that comes before corner i.
+// Hint: In the two lists of a face, not everything stands at its place.
 #include "exercises/05_structures/adjacency.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Takes 1-2 and 2-1 for two edges.
+// Hint: You number an edge anew for each face that has it.
 #include "exercises/05_structures/adjacency.h"
 
 #include <algorithm>

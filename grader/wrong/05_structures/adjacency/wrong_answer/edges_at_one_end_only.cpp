@@ -1,4 +1,5 @@
 // Tells only one end of an edge about it.
+// Hint: You tell only one end of an edge about it.
 #include "exercises/05_structures/adjacency.h"
 
 #include <algorithm>

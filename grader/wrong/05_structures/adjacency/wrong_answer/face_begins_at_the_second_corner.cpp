@@ -1,4 +1,5 @@
 // Begins each face at its second corner.
+// Hint: In the two lists of a face, not everything stands at its place.
 #include "exercises/05_structures/adjacency.h"
 
 #include <algorithm>

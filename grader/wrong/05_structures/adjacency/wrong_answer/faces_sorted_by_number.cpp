@@ -1,4 +1,5 @@
 // Sorts the lists of the faces, so that they are no longer in step.
+// Hint: In the two lists of a face, not everything stands at its place.
 #include "exercises/05_structures/adjacency.h"
 
 #include <algorithm>

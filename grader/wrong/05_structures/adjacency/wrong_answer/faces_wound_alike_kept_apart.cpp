@@ -1,4 +1,6 @@
 // Tells by the direction whether an edge is new: faces wound alike get two.
+// Hint: At an edge, you rely on what holds only on surfaces: that two faces
+// meet there, wound in opposite ways.
 #include "exercises/05_structures/adjacency.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Makes one number of two ends by adding them.
+// Hint: You take edges that have different ends for one and the same.
 #include "exercises/05_structures/adjacency.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Leaves out the side from the last corner to the first.
+// Hint: You leave out a side of each face: the one that closes it.
 #include "exercises/05_structures/adjacency.h"
 
 #include <algorithm>

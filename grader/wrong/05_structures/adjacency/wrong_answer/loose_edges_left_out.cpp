@@ -1,4 +1,5 @@
 // Leaves out the edges that have no face.
+// Hint: You leave out edges that have no face.
 #include "exercises/05_structures/adjacency.h"
 
 #include <algorithm>

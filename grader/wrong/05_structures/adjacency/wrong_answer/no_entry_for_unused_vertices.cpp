@@ -1,4 +1,5 @@
 // Has entries up to the last vertex that a face or an edge names.
+// Hint: You leave out vertices that nothing names.
 #include "exercises/05_structures/adjacency.h"
 
 #include <algorithm>

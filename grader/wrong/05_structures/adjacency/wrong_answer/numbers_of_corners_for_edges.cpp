@@ -1,4 +1,5 @@
 // Numbers the sides of the faces, not the edges.
+// Hint: You number an edge anew for each face that has it.
 #include "exercises/05_structures/adjacency.h"
 
 #include <algorithm>

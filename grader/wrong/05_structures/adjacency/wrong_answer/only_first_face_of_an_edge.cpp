@@ -1,4 +1,5 @@
 // Tells an edge of a face only when the edge is new.
+// Hint: You tell an edge of one face only; several may have it.
 #include "exercises/05_structures/adjacency.h"
 
 #include <algorithm>

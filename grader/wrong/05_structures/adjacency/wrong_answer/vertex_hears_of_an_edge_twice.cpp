@@ -1,4 +1,5 @@
 // Tells both ends of an edge for each face that has it.
+// Hint: At a vertex, you list the same edge or face several times.
 #include "exercises/05_structures/adjacency.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Subtracts two from the size of a list that may be shorter.
+// Hint: You forgot lists of fewer than three vertices.
 #include "exercises/05_structures/expand_fan.h"
 
 std::vector<Tri> expand_fan(const std::vector<int>& fan) {

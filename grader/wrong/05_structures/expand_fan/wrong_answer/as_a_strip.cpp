@@ -1,4 +1,5 @@
 // Takes three vertices in a row, as in a strip.
+// Hint: You take three vertices in a row for a triangle, as in a strip.
 #include "exercises/05_structures/expand_fan.h"
 
 std::vector<Tri> expand_fan(const std::vector<int>& fan) {

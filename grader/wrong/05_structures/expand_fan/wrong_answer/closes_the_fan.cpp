@@ -1,4 +1,5 @@
 // Adds a triangle from the last vertex to the second.
+// Hint: You close the fan: its last triangle is one too many.
 #include "exercises/05_structures/expand_fan.h"
 
 std::vector<Tri> expand_fan(const std::vector<int>& fan) {

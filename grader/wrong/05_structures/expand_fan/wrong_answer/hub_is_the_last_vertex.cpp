@@ -1,4 +1,5 @@
 // Takes the last vertex for the common one.
+// Hint: Your triangles meet at a vertex that is not the first of the list.
 #include "exercises/05_structures/expand_fan.h"
 
 std::vector<Tri> expand_fan(const std::vector<int>& fan) {

@@ -1,4 +1,6 @@
 // Does not compare the last vertex with the first.
+// Hint: You go wrong at degenerate triangles: they stay, or others after them
+// are lost.
 #include "exercises/05_structures/expand_fan.h"
 
 std::vector<Tri> expand_fan(const std::vector<int>& fan) {

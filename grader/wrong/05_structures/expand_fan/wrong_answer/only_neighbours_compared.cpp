@@ -1,4 +1,6 @@
 // Compares neighbours in the list only, not with the first vertex.
+// Hint: You go wrong at degenerate triangles: they stay, or others after them
+// are lost.
 #include "exercises/05_structures/expand_fan.h"
 
 std::vector<Tri> expand_fan(const std::vector<int>& fan) {

@@ -1,4 +1,5 @@
 // Lists the triangles from the last to the first.
+// Hint: Your triangles are the right ones, but not in the order of the fan.
 #include "exercises/05_structures/expand_fan.h"
 
 std::vector<Tri> expand_fan(const std::vector<int>& fan) {

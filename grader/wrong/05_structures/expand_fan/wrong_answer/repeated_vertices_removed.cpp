@@ -1,4 +1,6 @@
 // Removes every vertex that it has seen already: closed fans stay open.
+// Hint: You leave out a vertex that was there before; a fan may come back to
+// it.
 #include "exercises/05_structures/expand_fan.h"
 
 #include <set>

@@ -1,4 +1,5 @@
 // Turns over every other triangle, as in a strip.
+// Hint: You turn over every other triangle, as in a strip.
 #include "exercises/05_structures/expand_fan.h"
 
 std::vector<Tri> expand_fan(const std::vector<int>& fan) {

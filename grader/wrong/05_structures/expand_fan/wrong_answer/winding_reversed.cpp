@@ -1,4 +1,5 @@
 // Winds all triangles the other way round.
+// Hint: You wind the triangles the wrong way round.
 #include "exercises/05_structures/expand_fan.h"
 
 std::vector<Tri> expand_fan(const std::vector<int>& fan) {

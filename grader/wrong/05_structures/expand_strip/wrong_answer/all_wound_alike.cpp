@@ -1,4 +1,6 @@
 // Winds each triangle as its vertices come in the strip.
+// Hint: Your triangles have the right vertices, but neighbours do not agree in
+// their winding.
 #include "exercises/05_structures/expand_strip.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Takes the first vertex for each triangle, as in a fan.
+// Hint: You take the same first vertex for all triangles, as in a fan.
 #include "exercises/05_structures/expand_strip.h"
 
 #include <algorithm>

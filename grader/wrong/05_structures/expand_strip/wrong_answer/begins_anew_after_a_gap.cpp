@@ -1,4 +1,6 @@
 // Takes what comes after a triangle without area for a new strip.
+// Hint: You go wrong at degenerate triangles: they stay, or others after them
+// are lost or turned over.
 #include "exercises/05_structures/expand_strip.h"
 
 #include <algorithm>

@@ -1,4 +1,6 @@
 // Keeps triangles that have a vertex twice.
+// Hint: You go wrong at degenerate triangles: they stay, or others after them
+// are lost or turned over.
 #include "exercises/05_structures/expand_strip.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Ends one triangle early.
+// Hint: You leave out the last triangle.
 #include "exercises/05_structures/expand_strip.h"
 
 #include <algorithm>

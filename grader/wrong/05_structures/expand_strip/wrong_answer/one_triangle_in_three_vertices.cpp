@@ -1,4 +1,5 @@
 // Takes the list for a list of triangles.
+// Hint: You use each vertex of the list for one triangle only.
 #include "exercises/05_structures/expand_strip.h"
 
 #include <algorithm>

@@ -1,4 +1,6 @@
 // Makes one vertex of two equal ones in a row, and so loses count.
+// Hint: You go wrong at degenerate triangles: they stay, or others after them
+// are lost or turned over.
 #include "exercises/05_structures/expand_strip.h"
 
 #include <algorithm>

@@ -1,4 +1,6 @@
 // Rotates every other triangle, which does not turn it over.
+// Hint: Your triangles have the right vertices, but neighbours do not agree in
+// their winding.
 #include "exercises/05_structures/expand_strip.h"
 
 #include <algorithm>

@@ -1,4 +1,6 @@
 // Ends at the first triangle without area.
+// Hint: You go wrong at degenerate triangles: they stay, or others after them
+// are lost or turned over.
 #include "exercises/05_structures/expand_strip.h"
 
 #include <algorithm>

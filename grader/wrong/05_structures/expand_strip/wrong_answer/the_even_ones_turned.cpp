@@ -1,4 +1,5 @@
 // Turns over the wrong half of the triangles.
+// Hint: You wind the triangles the wrong way round.
 #include "exercises/05_structures/expand_strip.h"
 
 #include <algorithm>

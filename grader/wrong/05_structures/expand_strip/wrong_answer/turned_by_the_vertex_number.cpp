@@ -1,4 +1,6 @@
 // Turns over where the first vertex has an odd number.
+// Hint: How you wind a triangle depends on the numbers of its vertices; they
+// mean nothing.
 #include "exercises/05_structures/expand_strip.h"
 
 #include <algorithm>

@@ -1,4 +1,6 @@
 // Turns over by the number of triangles made, not by the place.
+// Hint: You go wrong at degenerate triangles: they stay, or others after them
+// are lost or turned over.
 #include "exercises/05_structures/expand_strip.h"
 
 #include <algorithm>

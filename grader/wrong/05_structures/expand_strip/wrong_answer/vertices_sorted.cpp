@@ -1,4 +1,6 @@
 // Sorts the vertices of each triangle.
+// Hint: How you wind a triangle depends on the numbers of its vertices; they
+// mean nothing.
 #include "exercises/05_structures/expand_strip.h"
 
 #include <algorithm>

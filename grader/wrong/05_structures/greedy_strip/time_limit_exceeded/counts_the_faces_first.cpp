@@ -1,4 +1,5 @@
 // Reads the whole table to see how many faces there are.
+// Hint: You look through the whole table: what you need is a few steps away.
 #include "exercises/05_structures/greedy_strip.h"
 
 #include <set>

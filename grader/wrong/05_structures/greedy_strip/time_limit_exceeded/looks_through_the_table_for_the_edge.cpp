@@ -1,4 +1,5 @@
 // Searches the table for the half-edge between the last two vertices.
+// Hint: You look through the whole table: what you need is a few steps away.
 #include "exercises/05_structures/greedy_strip.h"
 
 #include <set>

@@ -1,4 +1,6 @@
 // Goes on until there is a border: never, on a closed mesh.
+// Hint: You do not notice that the strip has come back to a triangle that it
+// has.
 #include "exercises/05_structures/greedy_strip.h"
 
 std::vector<int> greedy_strip(const HalfEdgeTable& he, int i) {

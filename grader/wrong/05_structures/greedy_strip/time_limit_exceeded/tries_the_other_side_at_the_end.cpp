@@ -1,4 +1,6 @@
 // Turns twice to the same side where it would have to end.
+// Hint: Where the strip should end, you go on across another side of the
+// triangle.
 #include "exercises/05_structures/greedy_strip.h"
 
 #include <set>

@@ -1,4 +1,5 @@
 // Crosses the two sides in turn, but begins with the wrong one.
+// Hint: You leave the first triangle across the wrong side.
 #include "exercises/05_structures/greedy_strip.h"
 
 #include <set>

@@ -1,4 +1,5 @@
 // Begins on the other side when the half-edge has no face.
+// Hint: Look again at what the contract says of a half-edge that has no face.
 #include "exercises/05_structures/greedy_strip.h"
 
 #include <set>

@@ -1,4 +1,5 @@
 // Ends after a hundred triangles.
+// Hint: You give up after some number of triangles; strips may be longer.
 #include "exercises/05_structures/greedy_strip.h"
 
 #include <set>

@@ -1,4 +1,5 @@
 // Forgets the first triangle among those that it has.
+// Hint: You take a triangle again that the strip has already.
 #include "exercises/05_structures/greedy_strip.h"
 
 #include <set>

@@ -1,4 +1,5 @@
 // Lists the triangles of the strip, not its vertices.
+// Hint: You list triangles where vertices were asked for.
 #include "exercises/05_structures/greedy_strip.h"
 
 #include <set>

@@ -1,4 +1,5 @@
 // Notices a triangle that it has after it has appended its vertex.
+// Hint: You take a triangle again that the strip has already.
 #include "exercises/05_structures/greedy_strip.h"
 
 #include <set>

@@ -1,4 +1,5 @@
 // Begins with the tip.
+// Hint: You have the first two vertices the wrong way round.
 #include "exercises/05_structures/greedy_strip.h"
 
 #include <set>

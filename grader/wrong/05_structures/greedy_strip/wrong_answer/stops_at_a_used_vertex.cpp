@@ -1,4 +1,6 @@
 // Ends where it comes to a vertex that the strip has already.
+// Hint: You end the strip at a vertex that it has: a strip may pass a vertex
+// several times.
 #include "exercises/05_structures/greedy_strip.h"
 
 #include <set>

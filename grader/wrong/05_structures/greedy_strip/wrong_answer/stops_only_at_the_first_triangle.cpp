@@ -1,4 +1,5 @@
 // Looks out for the first triangle only; others come twice.
+// Hint: You take a triangle again that the strip has already.
 #include "exercises/05_structures/greedy_strip.h"
 
 #include <set>

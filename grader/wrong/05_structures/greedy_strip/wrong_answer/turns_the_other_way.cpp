@@ -1,4 +1,5 @@
 // Always crosses the half-edge before the one it came by.
+// Hint: You turn round one vertex all the time, as in a fan.
 #include "exercises/05_structures/greedy_strip.h"
 
 #include <set>

@@ -1,4 +1,5 @@
 // Gives the two ends of a half-edge that has no face.
+// Hint: Look again at what the contract says of a half-edge that has no face.
 #include "exercises/05_structures/greedy_strip.h"
 
 #include <set>

@@ -1,4 +1,6 @@
 // Appends the start of the next half-edge in place of the third vertex.
+// Hint: You append a vertex of the edge that you came across, not the third
+// one of the triangle.
 #include "exercises/05_structures/greedy_strip.h"
 
 #include <set>

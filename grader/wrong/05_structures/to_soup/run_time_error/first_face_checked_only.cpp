@@ -1,4 +1,6 @@
 // Looks at the first face only to see whether it is a triangle.
+// Hint: You accept a mesh in which some face has not just three corners, or
+// refuse it for another reason.
 #include "exercises/05_structures/to_soup.h"
 
 namespace {

@@ -1,4 +1,6 @@
 // Reads wherever the number points to.
+// Hint: You read a corner where the mesh has no such vertex, or refuse it with
+// another exception than the contract names.
 #include "exercises/05_structures/to_soup.h"
 
 namespace {

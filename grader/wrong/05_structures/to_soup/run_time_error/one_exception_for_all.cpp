@@ -1,4 +1,6 @@
 // Throws std::invalid_argument for corners that are no vertices, too.
+// Hint: You read a corner where the mesh has no such vertex, or refuse it with
+// another exception than the contract names.
 #include "exercises/05_structures/to_soup.h"
 
 namespace {

@@ -1,4 +1,6 @@
 // Refuses faces with more than three corners, not those with fewer.
+// Hint: You accept a mesh in which some face has not just three corners, or
+// refuse it for another reason.
 #include "exercises/05_structures/to_soup.h"
 
 namespace {

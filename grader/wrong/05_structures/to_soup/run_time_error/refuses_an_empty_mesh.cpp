@@ -1,4 +1,5 @@
 // Throws where an empty soup is the answer.
+// Hint: You refuse a mesh without faces.
 #include "exercises/05_structures/to_soup.h"
 
 namespace {

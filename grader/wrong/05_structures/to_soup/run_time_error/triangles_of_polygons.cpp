@@ -1,4 +1,6 @@
 // Cuts polygons into fans where the contract asks for an error.
+// Hint: You accept a mesh in which some face has not just three corners, or
+// refuse it for another reason.
 #include "exercises/05_structures/to_soup.h"
 
 namespace {

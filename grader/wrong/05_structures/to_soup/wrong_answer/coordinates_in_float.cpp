@@ -1,4 +1,5 @@
 // Puts the coordinates through floats.
+// Hint: You lose digits of the coordinates.
 #include "exercises/05_structures/to_soup.h"
 
 namespace {

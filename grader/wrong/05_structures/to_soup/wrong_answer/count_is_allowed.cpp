@@ -1,4 +1,5 @@
 // Takes the number of vertices for one of them.
+// Hint: You accept a corner that names no vertex.
 #include "exercises/05_structures/to_soup.h"
 
 namespace {

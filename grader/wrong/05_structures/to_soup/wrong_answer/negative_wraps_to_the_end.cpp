@@ -1,4 +1,5 @@
 // Counts negative numbers from the end.
+// Hint: You accept a corner that names no vertex.
 #include "exercises/05_structures/to_soup.h"
 
 namespace {

@@ -1,4 +1,6 @@
 // Takes the positions three by three, without the faces.
+// Hint: The corners of your triangles are other ones than those of the faces,
+// or come in another order.
 #include "exercises/05_structures/to_soup.h"
 
 namespace {

@@ -1,4 +1,5 @@
 // Counts all corners together: a face with four makes up for one with two.
+// Hint: You accept a mesh in which some face has not just three corners.
 #include "exercises/05_structures/to_soup.h"
 
 namespace {

@@ -1,4 +1,5 @@
 // Throws where an empty mesh is the answer.
+// Hint: You refuse a soup without triangles.
 #include "exercises/05_structures/weld.h"
 
 namespace {

@@ -1,4 +1,5 @@
 // Refuses eps = 0 as well.
+// Hint: You refuse an eps of 0, which is a distance like any other.
 #include "exercises/05_structures/weld.h"
 
 namespace {

@@ -1,4 +1,6 @@
 // Adds a tolerance that nobody asked for.
+// Hint: With an eps of 0, you join points that are not equal, or keep equal
+// ones apart.
 #include "exercises/05_structures/weld.h"
 
 namespace {

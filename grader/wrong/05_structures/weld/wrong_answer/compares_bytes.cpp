@@ -1,4 +1,6 @@
 // Compares the bytes of equal points: 0.0 and -0.0 differ.
+// Hint: With an eps of 0, you join points that are not equal, or keep equal
+// ones apart.
 #include "exercises/05_structures/weld.h"
 
 #include <cstring>

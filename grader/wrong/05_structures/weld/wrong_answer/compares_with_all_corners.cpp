@@ -1,4 +1,6 @@
 // Compares a corner with the corners before it: chains grow without end.
+// Hint: Where there are several points near a corner, you join it to another
+// vertex than the contract says.
 #include "exercises/05_structures/weld.h"
 
 IndexedMesh weld(std::span<const SoupTriangle> soup, double eps) {

@@ -1,4 +1,5 @@
 // Leaves out triangles whose corners were joined.
+// Hint: You leave out triangles whose corners became the same vertex.
 #include "exercises/05_structures/weld.h"
 
 namespace {

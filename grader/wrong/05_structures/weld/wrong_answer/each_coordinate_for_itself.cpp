@@ -1,4 +1,6 @@
 // Compares coordinate by coordinate: a cube around the vertex, not a ball.
+// Hint: You compare eps with something else than the distance of the two
+// points.
 #include "exercises/05_structures/weld.h"
 
 #include <cmath>

@@ -1,4 +1,5 @@
 // Joins equal points and nearer ones, but not at just the distance eps.
+// Hint: You keep points apart whose distance is eps itself.
 #include "exercises/05_structures/weld.h"
 
 namespace {

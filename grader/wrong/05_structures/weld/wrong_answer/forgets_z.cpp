@@ -1,4 +1,5 @@
 // Leaves out the third coordinate.
+// Hint: You leave a coordinate out when you compare points.
 #include "exercises/05_structures/weld.h"
 
 namespace {

@@ -1,4 +1,5 @@
 // Joins equal points only.
+// Hint: You join equal points only, whatever eps is.
 #include "exercises/05_structures/weld.h"
 
 namespace {

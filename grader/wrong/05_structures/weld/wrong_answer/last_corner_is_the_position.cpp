@@ -1,4 +1,5 @@
 // Moves a vertex to the last corner that joins it.
+// Hint: You move a vertex that is there already.
 #include "exercises/05_structures/weld.h"
 
 namespace {

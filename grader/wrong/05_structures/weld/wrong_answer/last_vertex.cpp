@@ -1,4 +1,6 @@
 // Goes on looking after the first vertex in reach and takes the last.
+// Hint: Where there are several points near a corner, you join it to another
+// vertex than the contract says.
 #include "exercises/05_structures/weld.h"
 
 namespace {

@@ -1,4 +1,5 @@
 // Tests eps < 0, which NaN passes.
+// Hint: You accept an eps that is negative or not a number.
 #include "exercises/05_structures/weld.h"
 
 namespace {

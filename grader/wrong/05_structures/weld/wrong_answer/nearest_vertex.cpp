@@ -1,4 +1,6 @@
 // Takes the nearest vertex in reach, not the first.
+// Hint: Where there are several points near a corner, you join it to another
+// vertex than the contract says.
 #include "exercises/05_structures/weld.h"
 
 #include <limits>

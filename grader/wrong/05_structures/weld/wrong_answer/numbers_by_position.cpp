@@ -1,4 +1,5 @@
 // Numbers the vertices by their coordinates, as a sorted map has them.
+// Hint: You number the vertices by where they lie, not by their first use.
 #include "exercises/05_structures/weld.h"
 
 #include <map>

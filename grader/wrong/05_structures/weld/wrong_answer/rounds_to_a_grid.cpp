@@ -1,4 +1,5 @@
 // Rounds to cells of size eps: points on two sides of a cell wall stay apart.
+// Hint: Whether you join two points depends on where in space they lie.
 #include "exercises/05_structures/weld.h"
 
 #include <array>

@@ -1,4 +1,6 @@
 // Compares the square of the distance with eps itself.
+// Hint: You compare eps with something else than the distance of the two
+// points.
 #include "exercises/05_structures/weld.h"
 
 namespace {

@@ -1,4 +1,6 @@
 // Joins only what is nearer than eps: with eps = 0 nothing at all.
+// Hint: You keep points apart whose distance is eps itself, so that an eps of
+// 0 joins none.
 #include "exercises/05_structures/weld.h"
 
 namespace {

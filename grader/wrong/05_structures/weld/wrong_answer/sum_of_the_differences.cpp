@@ -1,4 +1,6 @@
 // Adds up the differences of the coordinates in place of the distance.
+// Hint: You compare eps with something else than the distance of the two
+// points.
 #include "exercises/05_structures/weld.h"
 
 #include <cmath>

@@ -1,4 +1,6 @@
 // Searches the table for the half-edge before, for each of them.
+// Hint: Your answers are right, but for each half-edge you look at many
+// others.
 #include "exercises/05_structures/winged.h"
 
 namespace {

@@ -1,4 +1,6 @@
 // Turns round the whole vertex to find what comes before.
+// Hint: Your answers are right, but for each half-edge you look at many
+// others.
 #include "exercises/05_structures/winged.h"
 
 namespace {

@@ -1,4 +1,5 @@
 // Makes one record for each half-edge: every edge stands there twice.
+// Hint: You make two records for each edge, one for each half-edge.
 #include "exercises/05_structures/winged.h"
 
 namespace {

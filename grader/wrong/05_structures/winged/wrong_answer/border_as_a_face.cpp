@@ -1,4 +1,6 @@
 // Counts -1 as a face and writes its edge at the end of the list.
+// Hint: In your lists of vertices and faces, an entry is wrong, missing or one
+// too many.
 #include "exercises/05_structures/winged.h"
 
 namespace {

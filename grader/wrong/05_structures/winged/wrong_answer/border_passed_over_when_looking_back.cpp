@@ -1,4 +1,6 @@
 // Finds what comes before along faces only; along the border it is edge 0.
+// Hint: On a side without a face, you do not have the neighbours along the
+// border.
 #include "exercises/05_structures/winged.h"
 
 namespace {

@@ -1,4 +1,5 @@
 // Turns edges so that they leave the smaller vertex, but not their faces.
+// Hint: You turn edges round, but not their two sides with them.
 #include "exercises/05_structures/winged.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Has no way to find what comes before, and goes by opp and next.
+// Hint: You do not find the edge that comes before another one.
 #include "exercises/05_structures/winged.h"
 
 namespace {

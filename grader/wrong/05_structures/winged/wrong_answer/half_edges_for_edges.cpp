@@ -1,4 +1,5 @@
 // Writes numbers of half-edges where edges are meant.
+// Hint: You give half-edges as neighbours where edges were asked for.
 #include "exercises/05_structures/winged.h"
 
 namespace {

@@ -1,4 +1,5 @@
 // Has the two faces on the wrong sides.
+// Hint: You have the two faces of an edge on the wrong sides.
 #include "exercises/05_structures/winged.h"
 
 namespace {

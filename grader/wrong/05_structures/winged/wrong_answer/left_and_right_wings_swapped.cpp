@@ -1,4 +1,5 @@
 // Has the neighbours of the left side on the right.
+// Hint: You have the neighbours of one side of an edge on the other.
 #include "exercises/05_structures/winged.h"
 
 namespace {

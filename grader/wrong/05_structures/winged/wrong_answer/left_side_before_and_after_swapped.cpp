@@ -1,4 +1,6 @@
 // Takes on the left what comes before for what comes after.
+// Hint: You take what comes before an edge for what comes after it, at least
+// on one side.
 #include "exercises/05_structures/winged.h"
 
 namespace {

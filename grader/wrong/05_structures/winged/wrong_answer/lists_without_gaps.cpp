@@ -1,4 +1,6 @@
 // Closes the gaps of unused vertex numbers.
+// Hint: In your lists of vertices and faces, an entry is wrong, missing or one
+// too many.
 #include "exercises/05_structures/winged.h"
 
 #include <algorithm>

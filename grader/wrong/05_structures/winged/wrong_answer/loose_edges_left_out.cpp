@@ -1,4 +1,5 @@
 // Passes over edges that have no face.
+// Hint: You leave out edges that have no face.
 #include "exercises/05_structures/winged.h"
 
 namespace {

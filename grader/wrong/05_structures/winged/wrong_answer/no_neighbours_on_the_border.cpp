@@ -1,4 +1,6 @@
 // Leaves out the neighbours on a side without a face.
+// Hint: On a side without a face, you do not have the neighbours along the
+// border.
 #include "exercises/05_structures/winged.h"
 
 namespace {

@@ -1,4 +1,6 @@
 // Takes i ^ 1 for the opposite and i / 2 for the edge.
+// Hint: You take the half-edge in the neighbouring row for the opposite one;
+// the table says which it is.
 #include "exercises/05_structures/winged.h"
 
 namespace {

@@ -1,4 +1,5 @@
 // Takes each face for a triangle: next of next is before.
+// Hint: You take every face for a triangle.
 #include "exercises/05_structures/winged.h"
 
 namespace {

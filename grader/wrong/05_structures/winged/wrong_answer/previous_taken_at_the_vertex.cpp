@@ -1,4 +1,6 @@
 // Takes the opposite of the next half-edge round the vertex for the one before: right only where three edges meet.
+// Hint: You look for the edge before in a way that is right only where three
+// edges meet.
 #include "exercises/05_structures/winged.h"
 
 namespace {

@@ -1,4 +1,6 @@
 // Notes half-edges for the vertices.
+// Hint: In your lists of vertices and faces, an entry is wrong, missing or one
+// too many.
 #include "exercises/05_structures/winged.h"
 
 namespace {

@@ -1,4 +1,6 @@
 // Has edge 0 where a number is not in use.
+// Hint: In your lists of vertices and faces, an entry is wrong, missing or one
+// too many.
 #include "exercises/05_structures/winged.h"
 
 namespace {

@@ -1,4 +1,5 @@
 // Reads edge -1 at a vertex without edges.
+// Hint: You forgot vertices that have no edge at all.
 #include "exercises/05_structures/winged_faces.h"
 
 #include <algorithm>

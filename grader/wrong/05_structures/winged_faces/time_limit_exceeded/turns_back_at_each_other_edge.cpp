@@ -1,4 +1,6 @@
 // Turns clockwise at edges that leave and the other way at those that arrive.
+// Hint: You do not come back to the first edge: at some edges you go on the
+// wrong way.
 #include "exercises/05_structures/winged_faces.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Lists a face as often as it touches the vertex.
+// Hint: You list a face several times that the walk meets several times.
 #include "exercises/05_structures/winged_faces.h"
 
 std::vector<int> winged_faces(const WingedMesh& mesh, int v) {

@@ -1,4 +1,5 @@
 // Turns the other way, which would be right, but drops the last edge for it.
+// Hint: You leave out the last face of the walk.
 #include "exercises/05_structures/winged_faces.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Believes that edges leave the smaller of their vertices.
+// Hint: You tell from the numbers of the vertices which way an edge is stored.
 #include "exercises/05_structures/winged_faces.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Ends before the last corner.
+// Hint: You leave out the last face of the walk.
 #include "exercises/05_structures/winged_faces.h"
 
 #include <algorithm>

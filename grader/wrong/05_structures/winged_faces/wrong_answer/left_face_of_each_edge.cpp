@@ -1,4 +1,6 @@
 // Takes the left face also of edges that arrive at v.
+// Hint: You take the face on the same side of each edge, whichever way it is
+// stored.
 #include "exercises/05_structures/winged_faces.h"
 
 #include <algorithm>

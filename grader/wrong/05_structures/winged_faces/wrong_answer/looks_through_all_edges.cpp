@@ -1,4 +1,6 @@
 // Looks through all edges, so that it lists faces the walk does not meet.
+// Hint: You list faces that the walk from the edge of the vertex does not
+// meet.
 #include "exercises/05_structures/winged_faces.h"
 
 #include <set>

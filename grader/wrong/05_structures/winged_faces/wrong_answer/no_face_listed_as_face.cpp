@@ -1,4 +1,5 @@
 // Lists -1 at the border.
+// Hint: You list -1 as a face where there is none.
 #include "exercises/05_structures/winged_faces.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Takes a side without a face for the end of the walk.
+// Hint: You stop where there is no face; the walk goes on behind the gap.
 #include "exercises/05_structures/winged_faces.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Takes the two faces of the one edge that it is given.
+// Hint: You look at one edge only; a vertex may have more.
 #include "exercises/05_structures/winged_faces.h"
 
 std::vector<int> winged_faces(const WingedMesh& mesh, int v) {

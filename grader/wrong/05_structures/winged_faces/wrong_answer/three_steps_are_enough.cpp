@@ -1,4 +1,5 @@
 // Takes at most three steps, as if three edges met at each vertex.
+// Hint: You give up after a few steps; a vertex may have more edges.
 #include "exercises/05_structures/winged_faces.h"
 
 #include <algorithm>

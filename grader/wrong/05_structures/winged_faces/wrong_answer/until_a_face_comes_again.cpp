@@ -1,4 +1,6 @@
 // Ends when it meets a face that it has.
+// Hint: You end the walk where nothing new comes, which may be before it is
+// back.
 #include "exercises/05_structures/winged_faces.h"
 
 #include <algorithm>

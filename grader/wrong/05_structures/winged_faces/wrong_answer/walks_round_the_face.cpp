@@ -1,4 +1,5 @@
 // Walks round the face on the left instead of round the vertex.
+// Hint: You walk round a face where the vertex was asked for.
 #include "exercises/05_structures/winged_faces.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Reads edge -1 at a vertex without edges.
+// Hint: You forgot vertices that have no edge at all.
 #include "exercises/05_structures/winged_outgoing.h"
 
 std::vector<DirectedEdge> winged_outgoing(const WingedMesh& mesh, int v) {

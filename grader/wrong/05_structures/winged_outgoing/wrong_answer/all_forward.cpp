@@ -1,4 +1,5 @@
 // Gives each edge the direction that it is stored in.
+// Hint: You give each edge in the direction in which it is stored.
 #include "exercises/05_structures/winged_outgoing.h"
 
 std::vector<DirectedEdge> winged_outgoing(const WingedMesh& mesh, int v) {

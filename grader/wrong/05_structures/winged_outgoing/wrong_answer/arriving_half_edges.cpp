@@ -1,4 +1,5 @@
 // Lists the half-edges that arrive.
+// Hint: You list the half-edges that arrive at the vertex.
 #include "exercises/05_structures/winged_outgoing.h"
 
 std::vector<DirectedEdge> winged_outgoing(const WingedMesh& mesh, int v) {

@@ -1,4 +1,5 @@
 // Lists each edge in both directions.
+// Hint: You list each edge in both directions.
 #include "exercises/05_structures/winged_outgoing.h"
 
 std::vector<DirectedEdge> winged_outgoing(const WingedMesh& mesh, int v) {

@@ -1,4 +1,5 @@
 // Turns one way to the border, then the other way: out of order.
+// Hint: You list what lies behind the border in the wrong order.
 #include "exercises/05_structures/winged_outgoing.h"
 
 std::vector<DirectedEdge> winged_outgoing(const WingedMesh& mesh, int v) {

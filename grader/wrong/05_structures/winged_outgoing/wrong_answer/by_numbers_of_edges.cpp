@@ -1,4 +1,5 @@
 // Looks through all edges: the order is that of the numbers.
+// Hint: You list the edges by their numbers, not in the order of the walk.
 #include "exercises/05_structures/winged_outgoing.h"
 
 std::vector<DirectedEdge> winged_outgoing(const WingedMesh& mesh, int v) {

@@ -1,4 +1,5 @@
 // Begins with the edge after the first, and ends before it.
+// Hint: You leave out the edge that the walk begins with.
 #include "exercises/05_structures/winged_outgoing.h"
 
 std::vector<DirectedEdge> winged_outgoing(const WingedMesh& mesh, int v) {

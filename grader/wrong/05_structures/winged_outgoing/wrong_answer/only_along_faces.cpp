@@ -1,4 +1,5 @@
 // Leaves out half-edges along a side without a face.
+// Hint: You leave out half-edges that have no face.
 #include "exercises/05_structures/winged_outgoing.h"
 
 std::vector<DirectedEdge> winged_outgoing(const WingedMesh& mesh, int v) {

@@ -1,4 +1,5 @@
 // Lists only edges that are stored as leaving.
+// Hint: You leave out edges that are stored the other way round.
 #include "exercises/05_structures/winged_outgoing.h"
 
 std::vector<DirectedEdge> winged_outgoing(const WingedMesh& mesh, int v) {

@@ -1,4 +1,5 @@
 // Believes that edges leave the smaller of their vertices.
+// Hint: You tell from the numbers of the vertices which way an edge is stored.
 #include "exercises/05_structures/winged_outgoing.h"
 
 std::vector<DirectedEdge> winged_outgoing(const WingedMesh& mesh, int v) {

@@ -1,4 +1,5 @@
 // Sorts the list at the end.
+// Hint: You list the edges by their numbers, not in the order of the walk.
 #include "exercises/05_structures/winged_outgoing.h"
 
 #include <algorithm>

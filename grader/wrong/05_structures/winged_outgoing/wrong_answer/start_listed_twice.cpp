@@ -1,4 +1,5 @@
 // Lists the first edge again at the end.
+// Hint: You list the start at both ends.
 #include "exercises/05_structures/winged_outgoing.h"
 
 std::vector<DirectedEdge> winged_outgoing(const WingedMesh& mesh, int v) {

@@ -1,4 +1,5 @@
 // Ends where there is no face on the other side.
+// Hint: You stop where there is no face; the walk goes on behind the gap.
 #include "exercises/05_structures/winged_outgoing.h"
 
 std::vector<DirectedEdge> winged_outgoing(const WingedMesh& mesh, int v) {

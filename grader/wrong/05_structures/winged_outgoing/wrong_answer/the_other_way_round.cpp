@@ -1,4 +1,5 @@
 // Turns the other way round the vertex.
+// Hint: Your answers are the right ones, but the other way round.
 #include "exercises/05_structures/winged_outgoing.h"
 
 std::vector<DirectedEdge> winged_outgoing(const WingedMesh& mesh, int v) {

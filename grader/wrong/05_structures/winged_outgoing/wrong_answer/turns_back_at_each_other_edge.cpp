@@ -1,4 +1,6 @@
 // Turns the other way at edges that arrive, back and forth.
+// Hint: You do not come back to the first edge: at some edges you go on the
+// wrong way.
 #include "exercises/05_structures/winged_outgoing.h"
 
 std::vector<DirectedEdge> winged_outgoing(const WingedMesh& mesh, int v) {

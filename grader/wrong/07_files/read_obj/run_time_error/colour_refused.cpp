@@ -1,4 +1,5 @@
 // Expects exactly three numbers for a vertex.
+// Hint: You refuse a vertex because of what follows its three coordinates.
 #include "exercises/07_files/read_obj.h"
 
 #include <algorithm>

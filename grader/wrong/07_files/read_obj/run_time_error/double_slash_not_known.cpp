@@ -1,4 +1,5 @@
 // Knows 1 and 1/2/3, but 1//3 is no number to it.
+// Hint: You refuse a corner with two slashes in a row.
 #include "exercises/07_files/read_obj.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Goes by the first letter of a line: vt and vn are vertices.
+// Hint: You take a line for a vertex because it begins with the same letter.
 #include "exercises/07_files/read_obj.h"
 
 #include <algorithm>

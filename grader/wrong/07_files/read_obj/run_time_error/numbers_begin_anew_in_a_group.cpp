@@ -1,4 +1,5 @@
 // Begins to count the vertices anew in each group.
+// Hint: You begin to count the vertices anew within the file.
 #include "exercises/07_files/read_obj.h"
 
 #include <algorithm>

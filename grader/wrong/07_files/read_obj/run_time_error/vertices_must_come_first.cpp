@@ -1,4 +1,5 @@
 // Refuses corners whose vertex comes later in the file.
+// Hint: You refuse corners whose vertex comes later in the file.
 #include "exercises/07_files/read_obj.h"
 
 #include <algorithm>

@@ -1,4 +1,6 @@
 // Counts the vertices of the file anew for each corner.
+// Hint: Your answers are right, but you go through all that you have again and
+// again.
 #include "exercises/07_files/read_obj.h"
 
 #include <algorithm>

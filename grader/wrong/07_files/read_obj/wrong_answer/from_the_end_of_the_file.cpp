@@ -1,4 +1,6 @@
 // Counts negative numbers from the end of the file.
+// Hint: You count negative numbers back from the end of the file, wherever
+// they stand.
 #include "exercises/07_files/read_obj.h"
 
 #include <algorithm>

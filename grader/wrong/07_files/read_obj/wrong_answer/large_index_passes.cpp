@@ -1,4 +1,5 @@
 // Does not find out that there are fewer vertices.
+// Hint: You accept a corner that names no vertex.
 #include "exercises/07_files/read_obj.h"
 
 #include <algorithm>

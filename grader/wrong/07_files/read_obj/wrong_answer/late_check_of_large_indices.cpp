@@ -1,4 +1,6 @@
 // Finds out about large numbers when all is read: another defect is reported first.
+// Hint: You find out about some defects only when all is read, and report
+// another one that stands further down.
 #include "exercises/07_files/read_obj.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Makes one edge of a line, from its first corner to its last.
+// Hint: You make one edge of a line that has more than two corners.
 #include "exercises/07_files/read_obj.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Takes a missing coordinate for 0.
+// Hint: You accept a vertex that has too few coordinates.
 #include "exercises/07_files/read_obj.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Counts the corners of a face in eight bits.
+// Hint: You lose corners of faces that have very many.
 #include "exercises/07_files/read_obj.h"
 
 #include <algorithm>

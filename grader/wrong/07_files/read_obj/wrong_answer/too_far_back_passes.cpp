@@ -1,4 +1,5 @@
 // Does not look how far back a negative number goes.
+// Hint: You accept a corner that names no vertex.
 #include "exercises/07_files/read_obj.h"
 
 #include <algorithm>

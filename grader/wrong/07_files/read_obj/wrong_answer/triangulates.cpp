@@ -1,4 +1,5 @@
 // Cuts faces into triangles, as loaders do unless told otherwise.
+// Hint: You cut faces into triangles.
 #include "exercises/07_files/read_obj.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Passes over what it does not know.
+// Hint: You pass over lines with a keyword that is not known.
 #include "exercises/07_files/read_obj.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Lets a corner be 0.
+// Hint: You accept a corner that names no vertex.
 #include "exercises/07_files/read_obj.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Makes room for all that the counts promise.
+// Hint: You make room for all that the counts promise; they may lie.
 #include "exercises/07_files/read_off.h"
 
 #include <charconv>

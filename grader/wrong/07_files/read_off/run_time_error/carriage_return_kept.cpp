@@ -1,4 +1,5 @@
 // Takes the words apart at spaces and tabs only: \r stays with the last one.
+// Hint: You take what ends a line for a part of its last word.
 #include "exercises/07_files/read_off.h"
 
 #include <charconv>

@@ -1,4 +1,5 @@
 // Takes all numbers behind the first one for corners.
+// Hint: You take numbers behind the corners of a face for corners, too.
 #include "exercises/07_files/read_off.h"
 
 #include <charconv>

@@ -1,4 +1,5 @@
 // Knows comments only as lines of their own.
+// Hint: You do not know comments that stand behind something on a line.
 #include "exercises/07_files/read_off.h"
 
 #include <charconv>

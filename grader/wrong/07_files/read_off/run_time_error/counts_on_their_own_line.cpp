@@ -1,4 +1,5 @@
 // Expects the counts on the line after OFF.
+// Hint: You refuse counts that stand behind OFF on its line.
 #include "exercises/07_files/read_off.h"
 
 #include <charconv>

@@ -1,4 +1,5 @@
 // std::stod throws std::out_of_range for 1e999, which is no std::runtime_error.
+// Hint: You let an exception out that is not the one that the contract names.
 #include "exercises/07_files/read_off.h"
 
 #include <charconv>

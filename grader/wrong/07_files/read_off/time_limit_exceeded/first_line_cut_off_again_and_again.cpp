@@ -1,4 +1,6 @@
 // Cuts the first line off the text again and again: each time all the rest is copied.
+// Hint: Your answers are right, but you go through all that you have again and
+// again.
 #include "exercises/07_files/read_off.h"
 
 #include <charconv>

@@ -1,4 +1,5 @@
 // Numbers only the lines that have something on them.
+// Hint: You count only lines with something on them.
 #include "exercises/07_files/read_off.h"
 
 #include <charconv>

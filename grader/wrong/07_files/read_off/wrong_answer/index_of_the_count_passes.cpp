@@ -1,4 +1,5 @@
 // Lets a face name the vertex after the last one.
+// Hint: You accept a corner that names no vertex.
 #include "exercises/07_files/read_off.h"
 
 #include <charconv>

@@ -1,4 +1,6 @@
 // Checks the indices when all is read: then it is not the first defect.
+// Hint: You find out about some defects only when all is read, and report
+// another one that stands further down.
 #include "exercises/07_files/read_off.h"
 
 #include <charconv>

@@ -1,4 +1,5 @@
 // Refuses infinities only: nan compares with nothing.
+// Hint: You accept a coordinate that is not finite.
 #include "exercises/07_files/read_off.h"
 
 #include <charconv>

@@ -1,4 +1,5 @@
 // A negative count is taken for none.
+// Hint: You accept a negative count.
 #include "exercises/07_files/read_off.h"
 
 #include <charconv>

@@ -1,4 +1,5 @@
 // Looks only at the very next line for something after the last face.
+// Hint: You do not look at everything that follows the last face.
 #include "exercises/07_files/read_off.h"
 
 #include <charconv>

@@ -1,4 +1,5 @@
 // Reads number after number, and does not know on which line they stand.
+// Hint: You read number after number, whatever lines they stand on.
 #include "exercises/07_files/read_off.h"
 
 #include <sstream>

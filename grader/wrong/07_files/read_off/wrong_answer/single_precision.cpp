@@ -1,4 +1,5 @@
 // Keeps the coordinates in single precision.
+// Hint: You lose digits of the coordinates.
 #include "exercises/07_files/read_off.h"
 
 #include <charconv>

@@ -1,4 +1,5 @@
 // Takes faces of two corners.
+// Hint: You accept faces of fewer than three corners.
 #include "exercises/07_files/read_off.h"
 
 #include <charconv>

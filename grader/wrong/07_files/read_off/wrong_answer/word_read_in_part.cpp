@@ -1,4 +1,5 @@
 // Takes the number that a word begins with, whatever follows it.
+// Hint: You take a word for a number when only its beginning is one.
 #include "exercises/07_files/read_off.h"
 
 #include <charconv>

@@ -1,4 +1,6 @@
 // Makes a new text, with a copy of all so far, for each line.
+// Hint: Your answers are right, but you go through all that you have again and
+// again.
 #include "exercises/07_files/write_obj.h"
 
 #include <cstdio>

@@ -1,4 +1,5 @@
 // Counts vertices from 0, as OFF does.
+// Hint: You count the vertices from 0.
 #include "exercises/07_files/write_obj.h"
 
 #include <limits>

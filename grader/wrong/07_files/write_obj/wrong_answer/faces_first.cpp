@@ -1,4 +1,5 @@
 // Writes the faces before the vertices.
+// Hint: You write faces before vertices.
 #include "exercises/07_files/write_obj.h"
 
 #include <limits>

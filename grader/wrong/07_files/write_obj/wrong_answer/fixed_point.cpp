@@ -1,4 +1,5 @@
 // Counts 17 digits from the point: small numbers lose theirs.
+// Hint: You lose digits of the coordinates.
 #include "exercises/07_files/write_obj.h"
 
 #include <limits>

@@ -1,4 +1,6 @@
 // Counts from 1 in faces only.
+// Hint: You leave out loose edges, or write their ends otherwise than the mesh
+// has them.
 #include "exercises/07_files/write_obj.h"
 
 #include <limits>

@@ -1,4 +1,6 @@
 // Leaves out the loose edges.
+// Hint: You leave out loose edges, or write their ends otherwise than the mesh
+// has them.
 #include "exercises/07_files/write_obj.h"
 
 #include <limits>

@@ -1,4 +1,6 @@
 // Writes the smaller end of a loose edge first.
+// Hint: You leave out loose edges, or write their ends otherwise than the mesh
+// has them.
 #include "exercises/07_files/write_obj.h"
 
 #include <limits>

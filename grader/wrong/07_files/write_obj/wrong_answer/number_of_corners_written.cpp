@@ -1,4 +1,5 @@
 // Writes how many corners a face has, as OFF wants it.
+// Hint: You write the number of its corners into the line of a face.
 #include "exercises/07_files/write_obj.h"
 
 #include <limits>

@@ -1,4 +1,5 @@
 // Writes vertices up to the last one that something uses.
+// Hint: You leave out vertices that nothing names.
 #include "exercises/07_files/write_obj.h"
 
 #include <limits>

@@ -1,4 +1,5 @@
 // Writes -0.0 as 0: adding 0 loses its sign.
+// Hint: You lose the sign of -0.0.
 #include "exercises/07_files/write_obj.h"
 
 #include <limits>

@@ -1,4 +1,5 @@
 // Writes coordinates with the six digits of a stream.
+// Hint: You lose digits of the coordinates.
 #include "exercises/07_files/write_obj.h"
 
 #include <limits>

@@ -1,4 +1,5 @@
 // Gives each corner a texture coordinate that is not in the file.
+// Hint: You write more than the number of its vertex for a corner.
 #include "exercises/07_files/write_obj.h"
 
 #include <limits>

@@ -1,4 +1,5 @@
 // Writes the first three corners of a face.
+// Hint: You take every face for a triangle.
 #include "exercises/07_files/write_obj.h"
 
 #include <limits>

@@ -1,4 +1,5 @@
 // Refuses loose edges with another exception.
+// Hint: You refuse loose edges with another exception than the contract names.
 #include "exercises/07_files/write_off.h"
 
 #include <limits>

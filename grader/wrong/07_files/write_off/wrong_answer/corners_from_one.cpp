@@ -1,4 +1,5 @@
 // Counts vertices from 1, as OBJ does.
+// Hint: You count the vertices from 1.
 #include "exercises/07_files/write_off.h"
 
 #include <limits>

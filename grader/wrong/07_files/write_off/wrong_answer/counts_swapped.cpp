@@ -1,4 +1,5 @@
 // Writes the count of faces first.
+// Hint: You write the counts in another order.
 #include "exercises/07_files/write_off.h"
 
 #include <limits>

@@ -1,4 +1,5 @@
 // Writes digits10 digits: a double needs max_digits10 to come back.
+// Hint: You lose digits of the coordinates.
 #include "exercises/07_files/write_off.h"
 
 #include <limits>

@@ -1,4 +1,5 @@
 // Writes coordinates in hexadecimal: exact, but no decimals.
+// Hint: You write coordinates that are no decimals.
 #include "exercises/07_files/write_off.h"
 
 #include <limits>

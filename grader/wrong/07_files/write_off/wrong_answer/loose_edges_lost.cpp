@@ -1,4 +1,5 @@
 // Leaves loose edges out without a word.
+// Hint: You accept loose edges, and lose them without a word.
 #include "exercises/07_files/write_off.h"
 
 #include <limits>

@@ -1,4 +1,5 @@
 // Does not write how many corners a face has.
+// Hint: You do not write how many corners a face has.
 #include "exercises/07_files/write_off.h"
 
 #include <limits>

@@ -1,4 +1,5 @@
 // Writes sixteen digits: enough for most doubles, not for all.
+// Hint: You lose digits of the coordinates.
 #include "exercises/07_files/write_off.h"
 
 #include <limits>

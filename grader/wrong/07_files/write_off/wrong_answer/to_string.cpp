@@ -1,4 +1,5 @@
 // Writes coordinates with std::to_string.
+// Hint: You lose digits of the coordinates.
 #include "exercises/07_files/write_off.h"
 
 #include <limits>

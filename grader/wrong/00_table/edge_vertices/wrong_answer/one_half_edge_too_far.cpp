@@ -1,4 +1,5 @@
 // Reads the vertex two steps ahead: next of next leaves the tip of next.
+// Hint: You go one half-edge too far.
 #include "exercises/00_table/edge_vertices.h"
 
 std::array<int, 2> edge_vertices(const HalfEdgeTable& he, int i) {

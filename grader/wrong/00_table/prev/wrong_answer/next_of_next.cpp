@@ -1,4 +1,5 @@
 // Assumes triangles: two steps ahead is one back only there.
+// Hint: You know triangles only; faces and borders may be longer.
 #include "exercises/00_table/prev.h"
 
 int prev(const HalfEdgeTable& he, int i) {

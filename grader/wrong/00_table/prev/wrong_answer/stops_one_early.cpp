@@ -1,4 +1,5 @@
 // Stops one half-edge before the one that is asked for.
+// Hint: You give another half-edge of the loop, not the one just before.
 #include "exercises/00_table/prev.h"
 
 int prev(const HalfEdgeTable& he, int i) {

@@ -1,4 +1,6 @@
 // Looks through the whole table for the half-edge whose opp is i.
+// Hint: Your answers are right, but you look through the whole table: what you
+// need is a few steps away.
 #include "exercises/00_table/tip.h"
 
 int tip(const HalfEdgeTable& he, int i) {

@@ -1,4 +1,6 @@
 // Collects all vertices of the loop to give the second: a border may be long.
+// Hint: Your answers are right, but you walk along the whole loop, which may
+// be long.
 #include <vector>
 
 #include "exercises/00_table/tip.h"

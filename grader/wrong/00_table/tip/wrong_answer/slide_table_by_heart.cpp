@@ -1,4 +1,6 @@
 // Knows the tips of the slide table by heart, whatever the mesh.
+// Hint: You rely on the rows of the mesh on the slides; others have other
+// rows.
 #include "exercises/00_table/tip.h"
 
 int tip(const HalfEdgeTable& he, int i) {

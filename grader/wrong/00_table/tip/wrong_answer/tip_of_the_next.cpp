@@ -1,4 +1,5 @@
 // Goes one half-edge too far: the tip of next, not of i.
+// Hint: You go one half-edge too far.
 #include "exercises/00_table/tip.h"
 
 int tip(const HalfEdgeTable& he, int i) {

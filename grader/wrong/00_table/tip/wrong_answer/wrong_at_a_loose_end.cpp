@@ -1,4 +1,5 @@
 // Where next is opp it believes to be lost, but that is how a loose end looks.
+// Hint: You go wrong at the end of a loose edge.
 #include "exercises/00_table/tip.h"
 
 int tip(const HalfEdgeTable& he, int i) {

@@ -1,4 +1,5 @@
 // The last row of an empty table, as an unsigned number, is a huge one.
+// Hint: You forgot that a table may be empty.
 #include "exercises/00_table/validate.h"
 
 namespace {

@@ -1,4 +1,5 @@
 // Asks only whether an index is too large, so he[-1] is read.
+// Hint: You read rows that the table does not have.
 #include "exercises/00_table/validate.h"
 
 namespace {

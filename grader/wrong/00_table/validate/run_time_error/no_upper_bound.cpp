@@ -1,4 +1,5 @@
 // Asks only whether an index is negative, so rows after the last are read.
+// Hint: You read rows that the table does not have.
 #include "exercises/00_table/validate.h"
 
 namespace {

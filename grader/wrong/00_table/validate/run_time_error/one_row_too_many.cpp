@@ -1,4 +1,5 @@
 // Takes the size of the table for a row of it.
+// Hint: You read rows that the table does not have.
 #include "exercises/00_table/validate.h"
 
 namespace {

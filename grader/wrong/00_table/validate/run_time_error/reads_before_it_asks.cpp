@@ -1,4 +1,5 @@
 // Reads the row of opp before it asks whether there is one.
+// Hint: You read rows that the table does not have.
 #include "exercises/00_table/validate.h"
 
 namespace {

@@ -1,4 +1,6 @@
 // Walks along next until it comes back, which a broken table may never do.
+// Hint: You walk along a broken table and wait to come back, which you may
+// never do.
 #include "exercises/00_table/validate.h"
 
 namespace {

@@ -1,4 +1,6 @@
 // Follows next until it is back at i, which a broken table may never be.
+// Hint: You walk along a broken table and wait to come back, which you may
+// never do.
 #include "exercises/00_table/validate.h"
 
 namespace {

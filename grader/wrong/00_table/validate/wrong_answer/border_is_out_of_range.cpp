@@ -1,4 +1,5 @@
 // Takes -1 in fi for an error, but that is how the border is marked.
+// Hint: You take the mark of the border for an error.
 #include "exercises/00_table/validate.h"
 
 namespace {

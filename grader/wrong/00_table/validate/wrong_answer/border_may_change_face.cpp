@@ -1,4 +1,5 @@
 // Does not ask on the border whether next keeps the face.
+// Hint: You do not ask on the border whether the face stays the same.
 #include "exercises/00_table/validate.h"
 
 namespace {

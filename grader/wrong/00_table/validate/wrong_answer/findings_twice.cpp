@@ -1,4 +1,5 @@
 // Asks the rules of next from both sides of an edge: findings come twice.
+// Hint: You report the same finding several times.
 #include "exercises/00_table/validate.h"
 
 namespace {

@@ -1,4 +1,5 @@
 // Asks nothing more of a half-edge that is its own opposite.
+// Hint: You leave out rules for a half-edge that breaks another one.
 #include "exercises/00_table/validate.h"
 
 namespace {

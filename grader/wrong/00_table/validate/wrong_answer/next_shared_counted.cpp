@@ -1,4 +1,5 @@
 // Reports a shared next once for each other half-edge that has it, too.
+// Hint: You report the same finding several times.
 #include "exercises/00_table/validate.h"
 
 namespace {

@@ -1,4 +1,5 @@
 // Asks about a shared next only where opp is a row: the rule needs no opp.
+// Hint: You leave out rules for a half-edge that breaks another one.
 #include "exercises/00_table/validate.h"
 
 namespace {

@@ -1,4 +1,5 @@
 // Reports a shared next at the later half-edge only, but both break the rule.
+// Hint: You report only some of the half-edges that have the same next.
 #include "exercises/00_table/validate.h"
 
 namespace {

@@ -1,4 +1,5 @@
 // Asks for the tip only where opp is mutual: it is defined by opp alone.
+// Hint: You leave out rules for a half-edge that breaks another one.
 #include "exercises/00_table/validate.h"
 
 namespace {

@@ -1,4 +1,5 @@
 // Reports a broken opp at the other half-edge, too, which may break no rule.
+// Hint: You blame a half-edge for what is wrong with its opposite only.
 #include "exercises/00_table/validate.h"
 
 namespace {

@@ -1,4 +1,5 @@
 // Asks only whether the numbers are in range, which a wrong table may well be.
+// Hint: You ask only whether the numbers are in range.
 #include "exercises/00_table/validate.h"
 
 std::vector<Finding> validate(const HalfEdgeTable& he) {

@@ -1,4 +1,5 @@
 // Does not ask whether the two half-edges of an edge leave different vertices.
+// Hint: You forgot one of the rules about opposite half-edges.
 #include "exercises/00_table/validate.h"
 
 namespace {

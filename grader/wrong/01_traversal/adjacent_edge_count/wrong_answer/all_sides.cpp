@@ -1,4 +1,5 @@
 // Counts all sides of the face.
+// Hint: You count sides that have no face on the other side.
 #include "exercises/01_traversal/adjacent_edge_count.h"
 
 int adjacent_edge_count(const HalfEdgeTable& he, int i) {

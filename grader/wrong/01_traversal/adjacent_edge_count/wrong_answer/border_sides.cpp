@@ -1,4 +1,5 @@
 // Counts the sides without a neighbour.
+// Hint: You count the sides that have no neighbour.
 #include "exercises/01_traversal/adjacent_edge_count.h"
 
 int adjacent_edge_count(const HalfEdgeTable& he, int i) {

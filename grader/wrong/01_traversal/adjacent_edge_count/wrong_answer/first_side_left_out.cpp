@@ -1,4 +1,5 @@
 // Begins with the side after i and stops before it.
+// Hint: You leave out the side that you start from.
 #include "exercises/01_traversal/adjacent_edge_count.h"
 
 int adjacent_edge_count(const HalfEdgeTable& he, int i) {

@@ -1,4 +1,5 @@
 // Leaves the sides out where the face meets itself.
+// Hint: You leave out the sides where the face meets itself.
 #include "exercises/01_traversal/adjacent_edge_count.h"
 
 int adjacent_edge_count(const HalfEdgeTable& he, int i) {

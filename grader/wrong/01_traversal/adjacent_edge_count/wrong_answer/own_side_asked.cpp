@@ -1,4 +1,5 @@
 // Asks this side for a face, not the other one.
+// Hint: You ask this side of the edge for a face, where the other one decides.
 #include "exercises/01_traversal/adjacent_edge_count.h"
 
 int adjacent_edge_count(const HalfEdgeTable& he, int i) {

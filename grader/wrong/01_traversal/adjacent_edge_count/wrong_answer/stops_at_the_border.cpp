@@ -1,4 +1,5 @@
 // Leaves the walk at the first side without a neighbour.
+// Hint: You stop at the first side without a neighbour; others may follow.
 #include "exercises/01_traversal/adjacent_edge_count.h"
 
 int adjacent_edge_count(const HalfEdgeTable& he, int i) {

@@ -1,4 +1,6 @@
 // Stops when it is at the first vertex again; a face may pass it twice.
+// Hint: You end the walk at a vertex that you have seen: a face may pass a
+// vertex twice.
 #include "exercises/01_traversal/adjacent_edge_count.h"
 
 int adjacent_edge_count(const HalfEdgeTable& he, int i) {

@@ -1,4 +1,5 @@
 // Takes every face for a triangle.
+// Hint: You take every face for a triangle.
 #include "exercises/01_traversal/adjacent_edge_count.h"
 
 int adjacent_edge_count(const HalfEdgeTable& he, int i) {

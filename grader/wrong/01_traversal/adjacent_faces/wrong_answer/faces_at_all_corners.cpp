@@ -1,4 +1,5 @@
 // Lists the faces that share a vertex, not an edge.
+// Hint: You list faces that share only a vertex with this one.
 #include "exercises/01_traversal/adjacent_faces.h"
 
 #include <set>

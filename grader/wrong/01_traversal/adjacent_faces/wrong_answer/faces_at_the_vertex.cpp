@@ -1,4 +1,5 @@
 // Turns round the vertex in place of the face.
+// Hint: You turn round a vertex where the face was asked for.
 #include "exercises/01_traversal/adjacent_faces.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Begins with the side after i and stops before it.
+// Hint: You leave out the side that you start from.
 #include "exercises/01_traversal/adjacent_faces.h"
 
 #include <set>

@@ -1,4 +1,5 @@
 // Lists the border as neighbour -1.
+// Hint: You list -1 as a face where there is none.
 #include "exercises/01_traversal/adjacent_faces.h"
 
 #include <algorithm>

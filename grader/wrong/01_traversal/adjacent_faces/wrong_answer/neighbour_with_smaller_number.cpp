@@ -1,4 +1,5 @@
 // Lists only neighbours with a larger number, as if each pair were wanted once.
+// Hint: You leave out neighbours because of their number.
 #include "exercises/01_traversal/adjacent_faces.h"
 
 #include <algorithm>

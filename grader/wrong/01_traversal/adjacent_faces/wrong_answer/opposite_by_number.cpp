@@ -1,4 +1,6 @@
 // Takes i ^ 1 for the opposite half-edge.
+// Hint: You take the half-edge in the neighbouring row for the opposite one;
+// the table says which it is.
 #include "exercises/01_traversal/adjacent_faces.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Leaves the walk at the first side without a neighbour.
+// Hint: You stop at the first side without a neighbour; others may follow.
 #include "exercises/01_traversal/adjacent_faces.h"
 
 #include <set>

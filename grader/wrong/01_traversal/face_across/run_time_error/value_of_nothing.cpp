@@ -1,4 +1,5 @@
 // Asks for the value where there is none.
+// Hint: You ask for the number of a face where there is none.
 #include "exercises/01_traversal/face_across.h"
 
 std::optional<int> face_across(const HalfEdgeTable& he, int i) {

@@ -1,4 +1,5 @@
 // Answers 0 where there is no face.
+// Hint: You give a face where there is none.
 #include "exercises/01_traversal/face_across.h"
 
 #include <algorithm>

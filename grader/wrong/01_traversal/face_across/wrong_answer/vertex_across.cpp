@@ -1,4 +1,5 @@
 // Gives the vertex of the opposite half-edge.
+// Hint: You give a vertex where a face was asked for.
 #include "exercises/01_traversal/face_across.h"
 
 std::optional<int> face_across(const HalfEdgeTable& he, int i) {

@@ -1,4 +1,5 @@
 // Turns round the vertex: opp and next in place of next.
+// Hint: You turn round a vertex where the face was asked for.
 #include "exercises/01_traversal/face_sides.h"
 
 int face_sides(const HalfEdgeTable& he, int i) {

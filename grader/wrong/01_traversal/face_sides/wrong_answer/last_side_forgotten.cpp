@@ -1,4 +1,5 @@
 // Stops one side too early.
+// Hint: You stop one side too early.
 #include "exercises/01_traversal/face_sides.h"
 
 int face_sides(const HalfEdgeTable& he, int i) {

@@ -1,4 +1,6 @@
 // Counts the first side when it starts and again when it is back.
+// Hint: You count the start twice: when you set out, and again when you are
+// back.
 #include "exercises/01_traversal/face_sides.h"
 
 int face_sides(const HalfEdgeTable& he, int i) {

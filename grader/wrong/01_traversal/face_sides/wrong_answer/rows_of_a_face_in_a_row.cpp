@@ -1,4 +1,6 @@
 // Believes that the rows of a face lie one after the other in the table.
+// Hint: You take rows that stand together for those of one face; they may
+// stand anywhere.
 #include "exercises/01_traversal/face_sides.h"
 
 int face_sides(const HalfEdgeTable& he, int i) {

@@ -1,4 +1,5 @@
 // Leaves the walk where the other side has no face.
+// Hint: You stop where the other side has no face.
 #include "exercises/01_traversal/face_sides.h"
 
 int face_sides(const HalfEdgeTable& he, int i) {

@@ -1,4 +1,5 @@
 // Takes the double vertex off the end, also where the list is empty.
+// Hint: You take something off a list that may be empty.
 #include "exercises/01_traversal/face_vertices.h"
 
 std::vector<int> face_vertices(const HalfEdgeTable& he, int i) {

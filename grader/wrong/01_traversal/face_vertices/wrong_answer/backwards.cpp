@@ -1,4 +1,5 @@
 // Lists the vertices against the direction of next.
+// Hint: You list the vertices against the direction of the half-edges.
 #include "exercises/01_traversal/face_vertices.h"
 
 #include <algorithm>

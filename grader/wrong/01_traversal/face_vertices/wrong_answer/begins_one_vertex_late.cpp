@@ -1,4 +1,6 @@
 // Steps before it notes the vertex: the first one comes last.
+// Hint: You begin at the second vertex; the one that the half-edge leaves
+// comes last.
 #include "exercises/01_traversal/face_vertices.h"
 
 std::vector<int> face_vertices(const HalfEdgeTable& he, int i) {

@@ -1,4 +1,5 @@
 // Closes the list with the first vertex.
+// Hint: You list the start at both ends.
 #include "exercises/01_traversal/face_vertices.h"
 
 std::vector<int> face_vertices(const HalfEdgeTable& he, int i) {

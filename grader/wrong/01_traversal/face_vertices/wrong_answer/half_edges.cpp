@@ -1,4 +1,5 @@
 // Lists half-edges, not their vertices.
+// Hint: You list half-edges where vertices were asked for.
 #include "exercises/01_traversal/face_vertices.h"
 
 std::vector<int> face_vertices(const HalfEdgeTable& he, int i) {

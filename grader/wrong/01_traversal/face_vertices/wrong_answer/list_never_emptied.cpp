@@ -1,4 +1,5 @@
 // The list is static: each call adds to the one before.
+// Hint: Something of yours keeps its value from one call to the next.
 #include "exercises/01_traversal/face_vertices.h"
 
 std::vector<int> face_vertices(const HalfEdgeTable& he, int i) {

@@ -1,4 +1,5 @@
 // Begins with the smallest vertex, not with that of i.
+// Hint: Your vertices are in the right order, but begin at another one.
 #include "exercises/01_traversal/face_vertices.h"
 
 #include <algorithm>

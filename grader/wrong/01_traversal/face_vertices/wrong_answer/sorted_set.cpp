@@ -1,4 +1,5 @@
 // Collects in a set: sorted, not in the order of the face.
+// Hint: Your answers are the right ones, but not in the order of the walk.
 #include "exercises/01_traversal/face_vertices.h"
 
 #include <set>

@@ -1,4 +1,5 @@
 // Turns round the vertex in place of the face.
+// Hint: You turn round a vertex where the face was asked for.
 #include "exercises/01_traversal/face_vertices.h"
 
 std::vector<int> face_vertices(const HalfEdgeTable& he, int i) {

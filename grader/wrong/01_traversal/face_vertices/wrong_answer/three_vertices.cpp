@@ -1,4 +1,5 @@
 // Takes every face for a triangle.
+// Hint: You take every face for a triangle.
 #include "exercises/01_traversal/face_vertices.h"
 
 std::vector<int> face_vertices(const HalfEdgeTable& he, int i) {

@@ -1,4 +1,5 @@
 // Takes the anchor of face v for that of vertex v.
+// Hint: You take the anchor of a face for that of a vertex.
 #include "exercises/01_traversal/outgoing.h"
 
 std::vector<int> outgoing(const HalfEdgeTable& he, const Anchors& anchors,

@@ -1,5 +1,7 @@
 // Takes i ^ 1 for the opposite half-edge: in a large table the walk goes far
 // astray.
+// Hint: You take the half-edge in the neighbouring row for the opposite one;
+// the table says which it is.
 #include "exercises/01_traversal/outgoing.h"
 
 std::vector<int> outgoing(const HalfEdgeTable& he, const Anchors& anchors,

@@ -1,4 +1,5 @@
 // Takes the vertex index for the start: the walk never meets it.
+// Hint: You wait for a start that your walk never meets.
 #include "exercises/01_traversal/outgoing.h"
 
 std::vector<int> outgoing(const HalfEdgeTable& he, const Anchors& anchors,

@@ -1,4 +1,5 @@
 // Begins with the half-edge after the anchor and stops before it.
+// Hint: You leave out the half-edge that you start from.
 #include "exercises/01_traversal/outgoing.h"
 
 std::vector<int> outgoing(const HalfEdgeTable& he, const Anchors& anchors,

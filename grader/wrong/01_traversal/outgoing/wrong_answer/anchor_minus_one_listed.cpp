@@ -1,4 +1,5 @@
 // Lists the -1 of an isolated vertex.
+// Hint: You list -1 as a half-edge.
 #include "exercises/01_traversal/outgoing.h"
 
 std::vector<int> outgoing(const HalfEdgeTable& he, const Anchors& anchors,

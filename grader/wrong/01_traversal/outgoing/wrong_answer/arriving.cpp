@@ -1,4 +1,5 @@
 // Lists the half-edges that arrive at the vertex.
+// Hint: You list the half-edges that arrive at the vertex.
 #include "exercises/01_traversal/outgoing.h"
 
 std::vector<int> outgoing(const HalfEdgeTable& he, const Anchors& anchors,

@@ -1,4 +1,5 @@
 // Leaves the half-edges out that have no face.
+// Hint: You leave out half-edges that have no face.
 #include "exercises/01_traversal/outgoing.h"
 
 std::vector<int> outgoing(const HalfEdgeTable& he, const Anchors& anchors,

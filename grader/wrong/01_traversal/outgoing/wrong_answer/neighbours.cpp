@@ -1,4 +1,5 @@
 // Lists the vertices at the other ends.
+// Hint: You list vertices where half-edges were asked for.
 #include "exercises/01_traversal/outgoing.h"
 
 std::vector<int> outgoing(const HalfEdgeTable& he, const Anchors& anchors,

@@ -1,4 +1,5 @@
 // The right half-edges, but the other way round.
+// Hint: Your answers are the right ones, but the other way round.
 #include "exercises/01_traversal/outgoing.h"
 
 std::vector<int> outgoing(const HalfEdgeTable& he, const Anchors& anchors,

@@ -1,4 +1,5 @@
 // Walks round the face of the anchor.
+// Hint: You walk round a face where the vertex was asked for.
 #include "exercises/01_traversal/outgoing.h"
 
 std::vector<int> outgoing(const HalfEdgeTable& he, const Anchors& anchors,

@@ -1,4 +1,5 @@
 // Sorts the list: it is not in the order of the walk any more.
+// Hint: Your answers are the right ones, but not in the order of the walk.
 #include "exercises/01_traversal/outgoing.h"
 
 #include <algorithm>

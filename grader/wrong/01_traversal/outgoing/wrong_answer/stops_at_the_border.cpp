@@ -1,4 +1,5 @@
 // Stops where there is no face: what lies behind the gap is missing.
+// Hint: You stop where there is no face; the walk goes on behind the gap.
 #include "exercises/01_traversal/outgoing.h"
 
 std::vector<int> outgoing(const HalfEdgeTable& he, const Anchors& anchors,

@@ -1,4 +1,5 @@
 // Has room for valences up to 8.
+// Hint: You have room for small valences only.
 #include "exercises/01_traversal/valences.h"
 
 #include <vector>

@@ -1,4 +1,6 @@
 // Right, but looks through the whole table for each vertex.
+// Hint: Your answers are right, but you look through the whole table for each
+// vertex.
 #include "exercises/01_traversal/valences.h"
 
 std::map<int, int> valences(const HalfEdgeTable& he, int vertex_count) {

@@ -1,4 +1,5 @@
 // Has a key for each value up to the largest.
+// Hint: You have keys for valences that do not occur.
 #include "exercises/01_traversal/valences.h"
 
 #include <vector>

@@ -1,4 +1,5 @@
 // Counts each edge twice: for both its half-edges, at both ends.
+// Hint: You count each edge of a vertex twice.
 #include "exercises/01_traversal/valences.h"
 
 #include <vector>

@@ -1,4 +1,5 @@
 // The histogram is static: each call adds to the one before.
+// Hint: Something of yours keeps its value from one call to the next.
 #include "exercises/01_traversal/valences.h"
 
 #include <vector>

@@ -1,4 +1,6 @@
 // Believes that the two half-edges of an edge are rows 2k and 2k + 1.
+// Hint: You take the half-edge in the neighbouring row for the opposite one;
+// the table says which it is.
 #include "exercises/01_traversal/valences.h"
 
 #include <vector>

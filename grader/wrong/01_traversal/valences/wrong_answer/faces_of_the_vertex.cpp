@@ -1,4 +1,5 @@
 // Counts the faces at each vertex, not the edges.
+// Hint: You count the faces at a vertex, not its edges.
 #include "exercises/01_traversal/valences.h"
 
 #include <vector>

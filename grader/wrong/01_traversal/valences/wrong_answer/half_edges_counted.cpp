@@ -1,4 +1,6 @@
 // Counts a vertex once for each half-edge that leaves it.
+// Hint: You count a vertex several times: once for each half-edge that leaves
+// it.
 #include "exercises/01_traversal/valences.h"
 
 #include <vector>

@@ -1,4 +1,5 @@
 // Leaves the vertices out that no half-edge leaves.
+// Hint: You leave out vertices that have no edge.
 #include "exercises/01_traversal/valences.h"
 
 std::map<int, int> valences(const HalfEdgeTable& he, int vertex_count) {

@@ -1,4 +1,5 @@
 // Leaves the last vertex out.
+// Hint: You leave out a vertex.
 #include "exercises/01_traversal/valences.h"
 
 #include <vector>

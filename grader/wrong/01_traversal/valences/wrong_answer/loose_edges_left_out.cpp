@@ -1,4 +1,5 @@
 // Leaves the edges out that have no face on either side.
+// Hint: You leave out edges that have no face.
 #include "exercises/01_traversal/valences.h"
 
 #include <vector>

@@ -1,5 +1,7 @@
 // Walks round each vertex from one half-edge: misses the other fans of a
 // bow-tie.
+// Hint: You walk round a vertex from one half-edge; where several fans meet,
+// you miss the others.
 #include "exercises/01_traversal/valences.h"
 
 #include <vector>

@@ -1,4 +1,6 @@
 // Maps each vertex to its valence: the table, not the histogram.
+// Hint: You list the valence of each vertex; it was asked how many vertices
+// have which.
 #include "exercises/01_traversal/valences.h"
 
 std::map<int, int> valences(const HalfEdgeTable& he, int vertex_count) {

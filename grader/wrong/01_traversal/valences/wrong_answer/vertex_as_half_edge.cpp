@@ -1,4 +1,5 @@
 // Takes the number of a vertex for a half-edge that leaves it.
+// Hint: You use the number of a vertex as that of a half-edge.
 #include "exercises/01_traversal/valences.h"
 
 std::map<int, int> valences(const HalfEdgeTable& he, int vertex_count) {

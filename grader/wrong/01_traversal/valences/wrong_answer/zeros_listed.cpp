@@ -1,4 +1,5 @@
 // Has a key for values that do not occur.
+// Hint: You have keys for valences that do not occur.
 #include "exercises/01_traversal/valences.h"
 
 #include <vector>

@@ -1,4 +1,6 @@
 // Counts the rows of the vertex in the whole table.
+// Hint: You look through the whole table: the half-edges of a vertex are a few
+// steps apart.
 #include "exercises/01_traversal/vertex_degree.h"
 
 int vertex_degree(const HalfEdgeTable& he, int i) {

@@ -1,4 +1,5 @@
 // Tests for the end between opp and next, where the start is never met.
+// Hint: You wait for a start that your walk never meets.
 #include "exercises/01_traversal/vertex_degree.h"
 
 int vertex_degree(const HalfEdgeTable& he, int i) {

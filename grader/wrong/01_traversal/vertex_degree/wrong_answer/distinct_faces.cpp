@@ -1,4 +1,6 @@
 // Counts the different faces round the vertex, the gap among them.
+// Hint: You count faces, not edges: a face, or a gap, may lie between several
+// pairs of edges.
 #include "exercises/01_traversal/vertex_degree.h"
 
 #include <set>

@@ -1,4 +1,5 @@
 // Counts the faces, and one more at the border: wrong with several gaps.
+// Hint: You count faces, and guess the number of gaps between them.
 #include "exercises/01_traversal/vertex_degree.h"
 
 int vertex_degree(const HalfEdgeTable& he, int i) {

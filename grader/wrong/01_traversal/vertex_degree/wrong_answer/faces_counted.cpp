@@ -1,4 +1,5 @@
 // Counts the faces: one too few at the border.
+// Hint: You count faces, not edges.
 #include "exercises/01_traversal/vertex_degree.h"
 
 int vertex_degree(const HalfEdgeTable& he, int i) {

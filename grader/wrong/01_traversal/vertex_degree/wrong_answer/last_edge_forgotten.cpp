@@ -1,4 +1,5 @@
 // Stops one edge too early.
+// Hint: You stop one edge too early.
 #include "exercises/01_traversal/vertex_degree.h"
 
 int vertex_degree(const HalfEdgeTable& he, int i) {

@@ -1,4 +1,5 @@
 // Keeps its answer for each half-edge, also for another mesh.
+// Hint: Something of yours keeps its value from one call to the next.
 #include "exercises/01_traversal/vertex_degree.h"
 
 #include <map>

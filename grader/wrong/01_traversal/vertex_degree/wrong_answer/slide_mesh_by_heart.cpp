@@ -1,4 +1,6 @@
 // Knows the vertices of the slide mesh by heart.
+// Hint: You rely on the rows of the mesh on the slides; others have other
+// rows.
 #include "exercises/01_traversal/vertex_degree.h"
 
 int vertex_degree(const HalfEdgeTable& he, int i) {

@@ -1,4 +1,5 @@
 // Stops at the gap: the edges behind it are missing.
+// Hint: You stop where there is no face; the walk goes on behind the gap.
 #include "exercises/01_traversal/vertex_degree.h"
 
 int vertex_degree(const HalfEdgeTable& he, int i) {

@@ -1,4 +1,5 @@
 // Removes a face that is both first and last, also from an empty list.
+// Hint: You forgot vertices that have no face at all.
 #include "exercises/01_traversal/vertex_faces.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Marks the faces that it has seen in an array, -1 too.
+// Hint: You use the number of a face as an index, also where there is no face.
 #include "exercises/01_traversal/vertex_faces.h"
 
 std::vector<int> vertex_faces(const HalfEdgeTable& he, int i) {

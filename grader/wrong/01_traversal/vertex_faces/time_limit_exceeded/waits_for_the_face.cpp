@@ -1,4 +1,5 @@
 // Ends when the first face comes again; at a gap it never does.
+// Hint: You wait for a face that your walk need not meet.
 #include "exercises/01_traversal/vertex_faces.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Leaves the walk after six faces, for fear that it never ends.
+// Hint: You give up after a few steps; a vertex may have more faces.
 #include "exercises/01_traversal/vertex_faces.h"
 
 #include <algorithm>

@@ -1,4 +1,6 @@
 // Answers nothing when i itself lies on the border.
+// Hint: Look again at what you do when the half-edge itself has no face: its
+// vertex may have faces all the same.
 #include "exercises/01_traversal/vertex_faces.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Leaves a face out only when it was met just before.
+// Hint: You list a face several times that the walk meets several times.
 #include "exercises/01_traversal/vertex_faces.h"
 
 std::vector<int> vertex_faces(const HalfEdgeTable& he, int i) {

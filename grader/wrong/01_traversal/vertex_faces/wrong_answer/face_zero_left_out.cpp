@@ -1,4 +1,5 @@
 // Takes face 0 for no face.
+// Hint: You treat face 0 as if it were no face.
 #include "exercises/01_traversal/vertex_faces.h"
 
 #include <algorithm>

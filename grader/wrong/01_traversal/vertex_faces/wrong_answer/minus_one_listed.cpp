@@ -1,4 +1,5 @@
 // Lists the gap at the border as face -1.
+// Hint: You list -1 as a face where there is none.
 #include "exercises/01_traversal/vertex_faces.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Walks round the face and lists the faces across.
+// Hint: You walk round a face where the vertex was asked for.
 #include "exercises/01_traversal/vertex_faces.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // The right faces, but the other way round.
+// Hint: Your answers are the right ones, but the other way round.
 #include "exercises/01_traversal/vertex_faces.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Stops at the gap: the faces behind it are missing.
+// Hint: You stop where there is no face; the walk goes on behind the gap.
 #include "exercises/01_traversal/vertex_faces.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Believes that a half-edge without a face has no opposite one: he[-1].
+// Hint: You believe that a half-edge without a face has no opposite one.
 #include "exercises/01_traversal/vertex_star.h"
 
 std::vector<int> vertex_star(const HalfEdgeTable& he, int i) {

@@ -1,4 +1,5 @@
 // Gives up with an exception where a half-edge has no face.
+// Hint: You refuse a half-edge on the border; it is one like any other.
 #include "exercises/01_traversal/vertex_star.h"
 
 #include <stdexcept>

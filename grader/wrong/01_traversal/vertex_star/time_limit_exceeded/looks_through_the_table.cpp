@@ -1,4 +1,6 @@
 // Looks for the half-edges of the vertex in the whole table.
+// Hint: You look through the whole table: the half-edges of a vertex are a few
+// steps apart.
 #include "exercises/01_traversal/vertex_star.h"
 
 std::vector<int> vertex_star(const HalfEdgeTable& he, int i) {

@@ -1,4 +1,6 @@
 // Walks rightly, but first looks for the smallest half-edge in the table.
+// Hint: You look through the whole table: the half-edges of a vertex are a few
+// steps apart.
 #include "exercises/01_traversal/vertex_star.h"
 
 std::vector<int> vertex_star(const HalfEdgeTable& he, int i) {

@@ -1,4 +1,5 @@
 // Lists all other corners of the faces, those across a quad too.
+// Hint: You list vertices that share a face with this one, but no edge.
 #include "exercises/01_traversal/vertex_star.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Has room for eight neighbours.
+// Hint: You give up after a few steps; a vertex may have more edges.
 #include "exercises/01_traversal/vertex_star.h"
 
 std::vector<int> vertex_star(const HalfEdgeTable& he, int i) {

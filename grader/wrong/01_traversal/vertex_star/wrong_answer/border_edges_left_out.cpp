@@ -1,4 +1,5 @@
 // Leaves the edges out that have no face on one side.
+// Hint: You leave out edges that have no face on one side.
 #include "exercises/01_traversal/vertex_star.h"
 
 std::vector<int> vertex_star(const HalfEdgeTable& he, int i) {

@@ -1,4 +1,5 @@
 // Closes the list with the first neighbour.
+// Hint: You list the start at both ends.
 #include "exercises/01_traversal/vertex_star.h"
 
 std::vector<int> vertex_star(const HalfEdgeTable& he, int i) {

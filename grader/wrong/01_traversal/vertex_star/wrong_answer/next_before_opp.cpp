@@ -1,4 +1,6 @@
 // Takes the two steps in the wrong order: turns round the tip.
+// Hint: You turn round the vertex where the half-edge arrives, not round the
+// one it leaves.
 #include "exercises/01_traversal/vertex_star.h"
 
 std::vector<int> vertex_star(const HalfEdgeTable& he, int i) {

@@ -1,4 +1,5 @@
 // Notes vi before it crosses the edge: the vertex itself, again and again.
+// Hint: You list the vertex itself.
 #include "exercises/01_traversal/vertex_star.h"
 
 std::vector<int> vertex_star(const HalfEdgeTable& he, int i) {

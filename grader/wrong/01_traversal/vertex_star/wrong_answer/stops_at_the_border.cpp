@@ -1,4 +1,5 @@
 // Stops where there is no face: what lies behind the gap is missing.
+// Hint: You stop where there is no face; the walk goes on behind the gap.
 #include "exercises/01_traversal/vertex_star.h"
 
 std::vector<int> vertex_star(const HalfEdgeTable& he, int i) {

@@ -1,4 +1,6 @@
 // Notes both neighbours of each face: the inner ones come twice.
+// Hint: You list a neighbour once for each face that it shares with the
+// vertex.
 #include "exercises/01_traversal/vertex_star.h"
 
 std::vector<int> vertex_star(const HalfEdgeTable& he, int i) {

@@ -1,4 +1,5 @@
 // Runs one row past the end of the table.
+// Hint: You read rows that the table does not have.
 #include "exercises/02_border/boundary_loops.h"
 
 #include <set>

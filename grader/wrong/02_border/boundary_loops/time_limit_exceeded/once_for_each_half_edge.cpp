@@ -1,4 +1,5 @@
 // Lists each loop once for each of its half-edges.
+// Hint: You list the same loop several times.
 #include "exercises/02_border/boundary_loops.h"
 
 namespace {

@@ -1,4 +1,5 @@
 // Does not ask for the border: the faces are listed as well.
+// Hint: You list the loops along faces, too.
 #include "exercises/02_border/boundary_loops.h"
 
 #include <set>

@@ -1,4 +1,5 @@
 // Ends each loop one half-edge before it is back.
+// Hint: You leave out a half-edge of each loop.
 #include "exercises/02_border/boundary_loops.h"
 
 #include <set>

@@ -1,4 +1,5 @@
 // Lists the vertices of the loops instead of their half-edges.
+// Hint: You list vertices where half-edges were asked for.
 #include "exercises/02_border/boundary_loops.h"
 
 #include <set>

@@ -1,4 +1,5 @@
 // Goes to the face by its number: he[-1] as soon as there is none.
+// Hint: You use the number of a face as that of a half-edge.
 #include "exercises/02_border/boundary_walk.h"
 
 std::vector<int> boundary_walk(const HalfEdgeTable& he, int i) {

@@ -1,4 +1,5 @@
 // Lists the loop backwards.
+// Hint: Your answers are the right ones, but the other way round.
 #include "exercises/02_border/boundary_walk.h"
 
 std::vector<int> boundary_walk(const HalfEdgeTable& he, int i) {

@@ -1,4 +1,5 @@
 // Turns round each vertex until a face is missing: that passes by loose edges.
+// Hint: You go wrong at loose edges, which are border on both sides.
 #include "exercises/02_border/boundary_walk.h"
 
 namespace {

@@ -1,4 +1,5 @@
 // Leaves out the half-edge that it begins with.
+// Hint: You leave out the half-edge that you start from.
 #include "exercises/02_border/boundary_walk.h"
 
 std::vector<int> boundary_walk(const HalfEdgeTable& he, int i) {

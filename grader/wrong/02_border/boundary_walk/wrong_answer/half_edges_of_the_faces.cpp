@@ -1,4 +1,5 @@
 // Lists the half-edges on the faces' side of the border.
+// Hint: You list half-edges that have a face, on the other side of the border.
 #include "exercises/02_border/boundary_walk.h"
 
 std::vector<int> boundary_walk(const HalfEdgeTable& he, int i) {

@@ -1,4 +1,5 @@
 // Goes on where a face is across: loose edges are left out.
+// Hint: You go wrong at loose edges, which are border on both sides.
 #include "exercises/02_border/boundary_walk.h"
 
 std::vector<int> boundary_walk(const HalfEdgeTable& he, int i) {

@@ -1,4 +1,6 @@
 // Stops at the vertex it began at, though the loop goes on from there.
+// Hint: You stop at the first vertex when it comes again: a border may pass a
+// vertex several times.
 #include "exercises/02_border/boundary_walk.h"
 
 std::vector<int> boundary_walk(const HalfEdgeTable& he, int i) {

@@ -1,4 +1,5 @@
 // Lists the vertices of the loop instead of its half-edges.
+// Hint: You list vertices where half-edges were asked for.
 #include "exercises/02_border/boundary_walk.h"
 
 std::vector<int> boundary_walk(const HalfEdgeTable& he, int i) {

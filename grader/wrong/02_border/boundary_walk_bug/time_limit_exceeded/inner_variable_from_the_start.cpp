@@ -1,4 +1,5 @@
 // Gives the inner variable a value, but the outer one never moves.
+// Hint: You wait for a start that your walk never meets.
 #include "exercises/02_border/boundary_walk_bug.h"
 
 std::vector<int> boundary_walk_bug(const HalfEdgeTable& he, int i) {

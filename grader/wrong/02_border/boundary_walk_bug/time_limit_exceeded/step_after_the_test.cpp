@@ -1,4 +1,5 @@
 // Compares with a start that the walk only touches in between.
+// Hint: You wait for a start that your walk never meets.
 #include "exercises/02_border/boundary_walk_bug.h"
 
 std::vector<int> boundary_walk_bug(const HalfEdgeTable& he, int i) {

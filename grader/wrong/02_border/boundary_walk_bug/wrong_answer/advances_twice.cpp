@@ -1,4 +1,5 @@
 // Adds a second step instead of changing the wrong one: every other edge.
+// Hint: You take two steps at once.
 #include "exercises/02_border/boundary_walk_bug.h"
 
 std::vector<int> boundary_walk_bug(const HalfEdgeTable& he, int i) {

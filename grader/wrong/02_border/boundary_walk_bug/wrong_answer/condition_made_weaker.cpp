@@ -1,4 +1,5 @@
 // Ends at the next edge without a face: after one step.
+// Hint: You end the walk before it is back.
 #include "exercises/02_border/boundary_walk_bug.h"
 
 std::vector<int> boundary_walk_bug(const HalfEdgeTable& he, int i) {

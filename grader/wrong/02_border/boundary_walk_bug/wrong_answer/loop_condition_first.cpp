@@ -1,4 +1,5 @@
 // Turns the loop round: at the start it is already back.
+// Hint: You end the walk before it has begun.
 #include "exercises/02_border/boundary_walk_bug.h"
 
 std::vector<int> boundary_walk_bug(const HalfEdgeTable& he, int i) {

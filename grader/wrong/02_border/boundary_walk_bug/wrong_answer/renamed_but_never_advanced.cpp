@@ -1,4 +1,5 @@
 // Renames the inner variable, and so the walk still stands at its start.
+// Hint: You do not move on from the start.
 #include "exercises/02_border/boundary_walk_bug.h"
 
 std::vector<int> boundary_walk_bug(const HalfEdgeTable& he, int i) {

@@ -1,4 +1,5 @@
 // Repairs the step, but begins one further and loses an edge.
+// Hint: The step is right now, but you leave out an edge at the start.
 #include "exercises/02_border/boundary_walk_bug.h"
 
 std::vector<int> boundary_walk_bug(const HalfEdgeTable& he, int i) {

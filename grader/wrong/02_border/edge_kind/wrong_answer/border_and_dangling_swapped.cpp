@@ -1,4 +1,5 @@
 // Has the names of border and dangling the wrong way round.
+// Hint: You have two kinds of edges the wrong way round.
 #include "exercises/02_border/edge_kind.h"
 
 EdgeKind edge_kind(const HalfEdgeTable& he, int i) {

@@ -1,4 +1,5 @@
 // Goes on to the next face by its number: he[-1] where there is no face.
+// Hint: You use the number of a face as that of a half-edge.
 #include "exercises/02_border/is_border_vertex.h"
 
 bool is_border_vertex(const HalfEdgeTable& he, int i) {

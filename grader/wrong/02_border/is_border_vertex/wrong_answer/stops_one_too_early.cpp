@@ -1,4 +1,5 @@
 // Ends the walk before the last half-edge was looked at.
+// Hint: You do not let every half-edge at the vertex have its say.
 #include "exercises/02_border/is_border_vertex.h"
 
 bool is_border_vertex(const HalfEdgeTable& he, int i) {

@@ -1,4 +1,6 @@
 // Reads `border` before it is known to be a row of the table.
+// Hint: You refuse with another exception than the contract names, or read
+// what is no half-edge.
 #include "exercises/02_border/with_dangling_edge.h"
 
 HalfEdgeTable with_dangling_edge(const HalfEdgeTable& he, int border,

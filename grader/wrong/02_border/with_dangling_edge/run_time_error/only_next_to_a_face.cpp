@@ -1,4 +1,5 @@
 // Refuses a loose edge as `border`: no second edge can hang on the first.
+// Hint: You refuse a loose edge, which is border like any other.
 #include "exercises/02_border/with_dangling_edge.h"
 
 HalfEdgeTable with_dangling_edge(const HalfEdgeTable& he, int border,

@@ -1,4 +1,6 @@
 // Takes he.size() for the last row.
+// Hint: You refuse with another exception than the contract names, or read
+// what is no half-edge.
 #include "exercises/02_border/with_dangling_edge.h"
 
 HalfEdgeTable with_dangling_edge(const HalfEdgeTable& he, int border,

@@ -1,4 +1,5 @@
 // Checks its own result by a walk that can never come back to its start.
+// Hint: You wait for a start that your walk never meets.
 #include "exercises/02_border/with_dangling_edge.h"
 
 HalfEdgeTable with_dangling_edge(const HalfEdgeTable& he, int border,

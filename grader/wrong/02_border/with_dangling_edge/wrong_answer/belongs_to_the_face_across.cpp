@@ -1,4 +1,5 @@
 // Gives the new half-edges the face across from `border`.
+// Hint: You give the new edge a face.
 #include "exercises/02_border/with_dangling_edge.h"
 
 HalfEdgeTable with_dangling_edge(const HalfEdgeTable& he, int border,

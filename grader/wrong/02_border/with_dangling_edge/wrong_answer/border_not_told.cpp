@@ -1,4 +1,5 @@
 // Appends the two half-edges, but nothing leads to them.
+// Hint: You append the new edge, but the walk does not lead to it.
 #include "exercises/02_border/with_dangling_edge.h"
 
 HalfEdgeTable with_dangling_edge(const HalfEdgeTable& he, int border,

@@ -1,4 +1,5 @@
 // Crosses to the border when given the side of a face: that is an error.
+// Hint: You accept a half-edge that has a face.
 #include "exercises/02_border/with_dangling_edge.h"
 
 HalfEdgeTable with_dangling_edge(const HalfEdgeTable& he, int border,

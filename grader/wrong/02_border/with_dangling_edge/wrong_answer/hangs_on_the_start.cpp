@@ -1,4 +1,6 @@
 // Hangs the edge on the vertex that `border` leaves.
+// Hint: You hang the edge on the vertex that the half-edge leaves, not where
+// it arrives.
 #include "exercises/02_border/with_dangling_edge.h"
 
 HalfEdgeTable with_dangling_edge(const HalfEdgeTable& he, int border,

@@ -1,4 +1,5 @@
 // Reads the next of `border` after it was changed: the way back loops.
+// Hint: From the new edge, you do not lead back to where the walk went before.
 #include "exercises/02_border/with_dangling_edge.h"
 
 HalfEdgeTable with_dangling_edge(const HalfEdgeTable& he, int border,

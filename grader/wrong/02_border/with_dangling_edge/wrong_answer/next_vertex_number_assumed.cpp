@@ -1,4 +1,5 @@
 // Counts vertices and ignores the number that it is given.
+// Hint: You choose the number of the new vertex yourself.
 #include "exercises/02_border/with_dangling_edge.h"
 
 HalfEdgeTable with_dangling_edge(const HalfEdgeTable& he, int border,

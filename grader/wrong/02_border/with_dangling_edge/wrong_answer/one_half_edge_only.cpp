@@ -1,4 +1,5 @@
 // Appends a single half-edge that is its own opposite.
+// Hint: You append one half-edge; an edge has two.
 #include "exercises/02_border/with_dangling_edge.h"
 
 HalfEdgeTable with_dangling_edge(const HalfEdgeTable& he, int border,

@@ -1,4 +1,5 @@
 // Links the rows rightly, but writes the start of `border` as its tip.
+// Hint: You link the new edge rightly, but let it leave the wrong vertex.
 #include "exercises/02_border/with_dangling_edge.h"
 
 HalfEdgeTable with_dangling_edge(const HalfEdgeTable& he, int border,

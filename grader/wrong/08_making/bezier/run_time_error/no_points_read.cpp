@@ -1,4 +1,6 @@
 // Reads the first point before it asks whether there is one.
+// Hint: Where the contract refuses, your program ends with another error than
+// the one that it names.
 #include "exercises/08_making/bezier.h"
 
 #include <vector>

@@ -1,4 +1,5 @@
 // Has room for sixteen points.
+// Hint: You have no room for a long list of points.
 #include "exercises/08_making/bezier.h"
 
 #include <array>

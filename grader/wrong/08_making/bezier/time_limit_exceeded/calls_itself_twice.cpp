@@ -1,5 +1,7 @@
 // Right, but calls itself for both halves of each step, and asks for the same
 // points again and again.
+// Hint: Your answers are right, but you ask for the same points again and
+// again.
 #include "exercises/08_making/bezier.h"
 
 #include <vector>

@@ -1,4 +1,6 @@
 // Never takes the last point away.
+// Hint: You never come to an end as soon as there are two points: there are
+// never fewer of them.
 #include "exercises/08_making/bezier.h"
 
 #include <vector>

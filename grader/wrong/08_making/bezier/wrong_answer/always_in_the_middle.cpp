@@ -1,4 +1,5 @@
 // Divides each segment in the middle.
+// Hint: You divide each segment in the same place, whatever the parameter is.
 #include "exercises/08_making/bezier.h"
 
 #include <vector>

@@ -1,4 +1,5 @@
 // Overwrites the points from the end, so that new ones are used for old ones.
+// Hint: Your curve has the right ends, and takes another way between them.
 #include "exercises/08_making/bezier.h"
 
 #include <vector>

@@ -1,5 +1,7 @@
 // Sums Bernstein's polynomials, with binomials in 32 bits, which overflow from
 // 35 points on.
+// Hint: With long lists of points the numbers in your formula become too
+// large.
 #include "exercises/08_making/bezier.h"
 
 #include <vector>

@@ -1,4 +1,5 @@
 // Divides each segment from its other end.
+// Hint: Your curve runs backwards: you divide each segment from its other end.
 #include "exercises/08_making/bezier.h"
 
 #include <vector>

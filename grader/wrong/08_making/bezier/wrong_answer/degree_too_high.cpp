@@ -1,4 +1,6 @@
 // Sums Bernstein's polynomials of degree n instead of n - 1, without the last.
+// Hint: Your curve has another degree than its control points give, and does
+// not end at the last of them.
 #include "exercises/08_making/bezier.h"
 
 #include <vector>

@@ -1,4 +1,5 @@
 // Joins the first point to the last one by a segment.
+// Hint: Your curve has the right ends, and takes another way between them.
 #include "exercises/08_making/bezier.h"
 
 #include <vector>

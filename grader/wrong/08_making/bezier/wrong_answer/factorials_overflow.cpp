@@ -1,5 +1,7 @@
 // Sums Bernstein's polynomials, with factorials that are too large for 64 bits
 // from 21 on.
+// Hint: With long lists of points the numbers in your formula become too
+// large.
 #include "exercises/08_making/bezier.h"
 
 #include <vector>

@@ -1,4 +1,5 @@
 // Forgets z.
+// Hint: You lose one of the three coordinates.
 #include "exercises/08_making/bezier.h"
 
 #include <vector>

@@ -1,4 +1,5 @@
 // Weighs the points with t^k (1-t)^(n-k) and forgets the binomials.
+// Hint: Your curve has the right ends, and takes another way between them.
 #include "exercises/08_making/bezier.h"
 
 #include <vector>

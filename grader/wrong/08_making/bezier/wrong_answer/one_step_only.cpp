@@ -1,4 +1,5 @@
 // Divides the segments once.
+// Hint: You divide the segments once, and stop before one point is left.
 #include "exercises/08_making/bezier.h"
 
 #include <vector>

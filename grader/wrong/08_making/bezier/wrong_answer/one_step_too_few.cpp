@@ -1,4 +1,5 @@
 // Stops when two points are left, and takes the first.
+// Hint: You stop one step too early, with two points left.
 #include "exercises/08_making/bezier.h"
 
 #include <vector>

@@ -1,4 +1,5 @@
 // A static list keeps points of an earlier, longer curve.
+// Hint: Something of yours keeps its value from one call to the next.
 #include "exercises/08_making/bezier.h"
 
 #include <vector>

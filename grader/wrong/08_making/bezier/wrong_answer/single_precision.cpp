@@ -1,4 +1,6 @@
 // Computes in float.
+// Hint: Your points are nearly right: somewhere you compute with fewer digits
+// than a double has.
 #include "exercises/08_making/bezier.h"
 
 #include <vector>

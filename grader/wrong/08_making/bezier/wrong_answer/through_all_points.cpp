@@ -1,4 +1,5 @@
 // Interpolates: a curve through all control points.
+// Hint: Your curve has the right ends, and takes another way between them.
 #include "exercises/08_making/bezier.h"
 
 #include <vector>

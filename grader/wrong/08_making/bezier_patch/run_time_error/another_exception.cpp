@@ -1,4 +1,6 @@
 // Throws std::out_of_range where the contract says std::invalid_argument.
+// Hint: Where the contract refuses, your program ends with another error than
+// the one that it names.
 #include "exercises/08_making/bezier_patch.h"
 
 #include <cstdint>

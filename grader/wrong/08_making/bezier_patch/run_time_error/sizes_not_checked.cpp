@@ -1,4 +1,6 @@
 // Reads rows of a list that is too short.
+// Hint: Where the contract refuses, your program ends with another error than
+// the one that it names.
 #include "exercises/08_making/bezier_patch.h"
 
 #include <cstdint>

@@ -1,4 +1,6 @@
 // Right, but its own bezier asks for the same points again and again.
+// Hint: Your answers are right, but you ask for the same points again and
+// again.
 #include "exercises/08_making/bezier_patch.h"
 
 #include <cstdint>

@@ -1,4 +1,5 @@
 // Takes all control points for one curve.
+// Hint: You take all control points for one curve; they are a grid.
 #include "exercises/08_making/bezier_patch.h"
 
 #include <cstdint>

@@ -1,5 +1,7 @@
 // Blends the four border curves (a Coons patch): right at the borders, and the
 // inner control points do not count.
+// Hint: Your patch is right along its borders, and the inner control points do
+// not count as they should.
 #include "exercises/08_making/bezier_patch.h"
 
 #include <cstdint>

@@ -1,4 +1,5 @@
 // Interpolates between the four corners.
+// Hint: From row to row you go straight, where there must be a curve.
 #include "exercises/08_making/bezier_patch.h"
 
 #include <cstdint>

@@ -1,4 +1,5 @@
 // Knows 4 x 4 control points, and takes the corners of other grids.
+// Hint: You are right with four rows of four points, and not with other grids.
 #include "exercises/08_making/bezier_patch.h"
 
 #include <cstdint>

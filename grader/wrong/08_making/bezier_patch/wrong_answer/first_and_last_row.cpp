@@ -1,4 +1,5 @@
 // Joins the curves of the first and the last row by a segment.
+// Hint: From row to row you go straight, where there must be a curve.
 #include "exercises/08_making/bezier_patch.h"
 
 #include <cstdint>

@@ -1,4 +1,5 @@
 // Leaves out the last row, unless it is the only one.
+// Hint: You leave out the last row of control points.
 #include "exercises/08_making/bezier_patch.h"
 
 #include <cstdint>

@@ -1,5 +1,7 @@
 // Takes the mean of a curve along the middle row and one along the middle
 // column.
+// Hint: You use the points of some rows and columns only; each control point
+// counts.
 #include "exercises/08_making/bezier_patch.h"
 
 #include <cstdint>

@@ -1,4 +1,5 @@
 // Fills a list that is too short with the origin.
+// Hint: You accept a grid that the contract refuses.
 #include "exercises/08_making/bezier_patch.h"
 
 #include <cstdint>

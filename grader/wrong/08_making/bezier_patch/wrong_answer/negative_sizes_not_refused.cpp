@@ -1,4 +1,5 @@
 // Compares the product only, and takes the sizes without their sign.
+// Hint: You accept a grid that the contract refuses.
 #include "exercises/08_making/bezier_patch.h"
 
 #include <cstdint>

@@ -1,4 +1,5 @@
 // Has a function bezier of its own, that makes one step only.
+// Hint: Your curves are right with two control points, and not with more.
 #include "exercises/08_making/bezier_patch.h"
 
 #include <cstdint>

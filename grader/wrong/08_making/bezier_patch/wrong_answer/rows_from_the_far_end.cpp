@@ -1,4 +1,5 @@
 // Begins with the last row, so that v runs backwards.
+// Hint: In one direction your patch runs backwards.
 #include "exercises/08_making/bezier_patch.h"
 
 #include <cstdint>

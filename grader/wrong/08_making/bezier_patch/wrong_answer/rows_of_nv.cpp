@@ -1,4 +1,6 @@
 // Takes nv points for a row.
+// Hint: You take the length of a column for that of a row; you are right where
+// both are the same.
 #include "exercises/08_making/bezier_patch.h"
 
 #include <cstdint>

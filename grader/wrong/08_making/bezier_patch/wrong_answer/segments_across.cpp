@@ -1,4 +1,5 @@
 // Walks along segments from the point of one row to that of the next.
+// Hint: From row to row you go straight, where there must be a curve.
 #include "exercises/08_making/bezier_patch.h"
 
 #include <cstdint>

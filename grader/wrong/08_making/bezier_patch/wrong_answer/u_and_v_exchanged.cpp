@@ -1,4 +1,5 @@
 // Uses v along the rows and u across them.
+// Hint: You exchange the two directions of the patch.
 #include "exercises/08_making/bezier_patch.h"
 
 #include <cstdint>

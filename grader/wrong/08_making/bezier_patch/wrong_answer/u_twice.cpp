@@ -1,4 +1,5 @@
 // Uses u for both directions.
+// Hint: You use one of the two parameters for both directions.
 #include "exercises/08_making/bezier_patch.h"
 
 #include <cstdint>

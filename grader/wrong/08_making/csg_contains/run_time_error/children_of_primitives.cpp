@@ -1,4 +1,5 @@
 // Asks for both children first, which primitives do not have.
+// Hint: You ask primitives for their children, and they have none.
 #include "exercises/08_making/csg_contains.h"
 
 #include <cmath>

@@ -1,4 +1,5 @@
 // Keeps the nodes still to be asked in an array of a hundred.
+// Hint: Your program breaks in a tree that is very deep.
 #include "exercises/08_making/csg_contains.h"
 
 #include <array>

@@ -1,5 +1,7 @@
 // Right, but asks a part once more when it has said yes: twice as often at each
 // level.
+// Hint: Your answers are right, but you ask the same part of the tree more
+// than once, and this at each level.
 #include "exercises/08_making/csg_contains.h"
 
 #include <cmath>

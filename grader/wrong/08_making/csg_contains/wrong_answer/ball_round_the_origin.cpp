@@ -1,4 +1,6 @@
 // Forgets the centre of a ball.
+// Hint: You do not ask how far the point is from the centre of the ball, but
+// from somewhere else.
 #include "exercises/08_making/csg_contains.h"
 
 #include <cmath>

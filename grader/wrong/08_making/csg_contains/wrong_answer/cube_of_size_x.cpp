@@ -1,4 +1,6 @@
 // Uses size.x for all edges of a box.
+// Hint: You are right about balls, and not about boxes or cylinders: you take
+// their place, size or direction for something that it is not.
 #include "exercises/08_making/csg_contains.h"
 
 #include <cmath>

@@ -1,4 +1,5 @@
 // Keeps the surface of the ball that is taken away, as if it belonged to both.
+// Hint: You answer wrongly for points exactly on the surface of a primitive.
 #include "exercises/08_making/csg_contains.h"
 
 #include <cmath>

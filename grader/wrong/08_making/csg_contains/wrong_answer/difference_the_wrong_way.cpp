@@ -1,4 +1,6 @@
 // Takes the left one from the right one.
+// Hint: You are right about a primitive alone, and wrong about an operation on
+// two: about what it means, or about which nodes of the list.
 #include "exercises/08_making/csg_contains.h"
 
 #include <cmath>

@@ -1,4 +1,5 @@
 // Forgets that a cylinder ends.
+// Hint: You take points for inside that are above or below a cylinder.
 #include "exercises/08_making/csg_contains.h"
 
 #include <cmath>

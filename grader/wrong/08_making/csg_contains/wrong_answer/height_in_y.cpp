@@ -1,4 +1,6 @@
 // Reads the height of a cylinder from size.y.
+// Hint: You are right about balls, and not about boxes or cylinders: you take
+// their place, size or direction for something that it is not.
 #include "exercises/08_making/csg_contains.h"
 
 #include <cmath>

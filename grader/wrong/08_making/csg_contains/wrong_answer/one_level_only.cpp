@@ -1,4 +1,6 @@
 // Asks the children as if they were primitives.
+// Hint: You know operations on primitives, but not those that stand above
+// other operations.
 #include "exercises/08_making/csg_contains.h"
 
 #include <cmath>

@@ -1,4 +1,6 @@
 // Compares the square of the distance with the radius.
+// Hint: You compare two numbers of a ball of which one is a square and the
+// other is not.
 #include "exercises/08_making/csg_contains.h"
 
 #include <cmath>

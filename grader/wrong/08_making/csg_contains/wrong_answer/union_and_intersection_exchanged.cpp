@@ -1,4 +1,5 @@
 // Exchanges union and intersection.
+// Hint: Your union lacks points that are in one of the two solids only.
 #include "exercises/08_making/csg_contains.h"
 
 #include <cmath>

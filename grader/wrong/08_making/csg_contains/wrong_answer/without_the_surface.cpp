@@ -1,4 +1,5 @@
 // Takes primitives without their surface.
+// Hint: You answer wrongly for points exactly on the surface of a primitive.
 #include "exercises/08_making/csg_contains.h"
 
 #include <cmath>

@@ -1,4 +1,5 @@
 // Goes on to the last column and row, and reads past the end.
+// Hint: You go on past the last cell, to points that begin no cell.
 #include "exercises/08_making/height_field.h"
 
 #include <cmath>

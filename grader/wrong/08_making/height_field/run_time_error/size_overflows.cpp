@@ -1,4 +1,6 @@
 // Works with the product of the sizes as an int, and makes room for it.
+// Hint: Where the contract refuses, your program ends with another error than
+// the one that it names.
 #include "exercises/08_making/height_field.h"
 
 #include <cmath>

@@ -1,4 +1,6 @@
 // Reads the list without looking at its length.
+// Hint: Where the contract refuses, your program ends with another error than
+// the one that it names.
 #include "exercises/08_making/height_field.h"
 
 #include <cmath>

@@ -1,4 +1,6 @@
 // Takes heights below 0 for holes.
+// Hint: You take heights for holes that are none: below 0 there are heights,
+// too.
 #include "exercises/08_making/height_field.h"
 
 #include <cmath>

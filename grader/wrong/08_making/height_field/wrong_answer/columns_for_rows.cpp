@@ -1,4 +1,6 @@
 // Believes that z runs along j first.
+// Hint: You read the list of the grid as if its directions followed each other
+// in another order.
 #include "exercises/08_making/height_field.h"
 
 #include <cmath>

@@ -1,4 +1,5 @@
 // Looks for holes with ==, which NaN never fulfils.
+// Hint: You make a vertex also for a point that has no height.
 #include "exercises/08_making/height_field.h"
 
 #include <cmath>

@@ -1,5 +1,7 @@
 // Cuts each cell along one diagonal and drops the triangles with a hole: a hole
 // on the diagonal takes both.
+// Hint: Your vertices are right, and your triangles too, until there is a
+// hole: then some are missing or have other corners.
 #include "exercises/08_making/height_field.h"
 
 #include <cmath>

@@ -1,4 +1,5 @@
 // Fills the holes with height 0.
+// Hint: You make a vertex also for a point that has no height.
 #include "exercises/08_making/height_field.h"
 
 #include <cmath>

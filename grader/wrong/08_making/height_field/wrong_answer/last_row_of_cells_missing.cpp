@@ -1,4 +1,6 @@
 // Stops one row of cells too early.
+// Hint: Your vertices are right; of your triangles some are missing or wound
+// the other way.
 #include "exercises/08_making/height_field.h"
 
 #include <cmath>

@@ -1,4 +1,5 @@
 // Refuses only lists that are too short.
+// Hint: You accept a grid that the contract refuses.
 #include "exercises/08_making/height_field.h"
 
 #include <cmath>

@@ -1,4 +1,5 @@
 // Compares the product only: -2 times -2 is four.
+// Hint: You accept a grid that the contract refuses.
 #include "exercises/08_making/height_field.h"
 
 #include <cmath>

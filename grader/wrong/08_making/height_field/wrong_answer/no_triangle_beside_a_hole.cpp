@@ -1,4 +1,6 @@
 // Leaves out each cell that has a hole.
+// Hint: Your vertices are right, and your triangles too, until there is a
+// hole: then some are missing or have other corners.
 #include "exercises/08_making/height_field.h"
 
 #include <cmath>

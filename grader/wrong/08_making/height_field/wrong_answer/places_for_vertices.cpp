@@ -1,4 +1,6 @@
 // Uses places in z as vertex numbers, as if no hole came before.
+// Hint: Your vertices are right, and your triangles too, until there is a
+// hole: then some are missing or have other corners.
 #include "exercises/08_making/height_field.h"
 
 #include <cmath>

@@ -1,4 +1,6 @@
 // Does not cut the cells.
+// Hint: Cells with a hole come out right; those with four heights do not
+// become two triangles on either side of one diagonal.
 #include "exercises/08_making/height_field.h"
 
 #include <cmath>

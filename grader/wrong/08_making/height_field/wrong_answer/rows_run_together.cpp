@@ -1,4 +1,5 @@
 // Joins the last column to the first of the next row.
+// Hint: You join the end of a row to the beginning of the next one.
 #include "exercises/08_making/height_field.h"
 
 #include <cmath>

@@ -1,4 +1,5 @@
 // Multiplies j by ny, which is right for squares.
+// Hint: You are right only where a row has as many points as a column.
 #include "exercises/08_making/height_field.h"
 
 #include <algorithm>

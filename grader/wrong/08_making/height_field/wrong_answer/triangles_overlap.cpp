@@ -1,4 +1,6 @@
 // The two triangles of a cell lie on different diagonals.
+// Hint: Cells with a hole come out right; those with four heights do not
+// become two triangles on either side of one diagonal.
 #include "exercises/08_making/height_field.h"
 
 #include <cmath>

@@ -1,4 +1,5 @@
 // Drops vertices that no triangle uses.
+// Hint: You leave out vertices that no triangle uses.
 #include "exercises/08_making/height_field.h"
 
 #include <cmath>

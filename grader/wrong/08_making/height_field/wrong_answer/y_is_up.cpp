@@ -1,4 +1,5 @@
 // Puts the height into y.
+// Hint: You put the height into another coordinate.
 #include "exercises/08_making/height_field.h"
 
 #include <cmath>

@@ -1,4 +1,5 @@
 // Takes the height 0 for a hole.
+// Hint: You take the height 0 for a hole.
 #include "exercises/08_making/height_field.h"
 
 #include <cmath>

@@ -1,4 +1,5 @@
 // Reads all sixteen entries of a row.
+// Hint: You read on in a row of the table after its triangles have ended.
 #include "exercises/08_making/marching_cubes.h"
 
 #include <cstdint>

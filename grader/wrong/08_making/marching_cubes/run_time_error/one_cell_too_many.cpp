@@ -1,4 +1,5 @@
 // Goes on to the last points, which begin no cell.
+// Hint: You go on past the last cell, to points that begin no cell.
 #include "exercises/08_making/marching_cubes.h"
 
 #include <cstdint>

@@ -1,4 +1,6 @@
 // Reads densities that are not there.
+// Hint: Where the contract refuses, your program ends with another error than
+// the one that it names.
 #include "exercises/08_making/marching_cubes.h"
 
 #include <cstdint>

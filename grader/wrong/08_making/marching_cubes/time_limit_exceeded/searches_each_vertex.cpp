@@ -1,4 +1,6 @@
 // Right, but searches the place of each vertex among all.
+// Hint: Your answers are right, but what you do for each cell takes longer the
+// larger the grid is.
 #include "exercises/08_making/marching_cubes.h"
 
 #include <cstdint>

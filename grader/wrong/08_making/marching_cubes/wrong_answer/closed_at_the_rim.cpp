@@ -1,4 +1,5 @@
 // Takes the points at the rim for outside.
+// Hint: You close the surface at the rim of the grid, where it stays open.
 #include "exercises/08_making/marching_cubes.h"
 
 #include <cstdint>

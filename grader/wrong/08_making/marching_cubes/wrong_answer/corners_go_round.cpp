@@ -1,5 +1,6 @@
 // Numbers the corners round the bottom and round the top, as many books do, but
 // the table does not.
+// Hint: You number the corners of a cell in another way than the table does.
 #include "exercises/08_making/marching_cubes.h"
 
 #include <cstdint>

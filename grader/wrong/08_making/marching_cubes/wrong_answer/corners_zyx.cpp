@@ -1,4 +1,5 @@
 // Takes bit 0 for z and bit 2 for x in the case.
+// Hint: You number the corners of a cell in another way than the table does.
 #include "exercises/08_making/marching_cubes.h"
 
 #include <cstdint>

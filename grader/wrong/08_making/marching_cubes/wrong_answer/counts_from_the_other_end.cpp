@@ -1,4 +1,6 @@
 // Takes the part of the way from b for that from a.
+// Hint: Your vertices lie on the right edges, and in the wrong place along
+// them.
 #include "exercises/08_making/marching_cubes.h"
 
 #include <cstdint>

@@ -1,4 +1,5 @@
 // Names an edge by its lower end, which three edges have in common.
+// Hint: You take different edges for the same one, and give them one vertex.
 #include "exercises/08_making/marching_cubes.h"
 
 #include <cstdint>

@@ -1,4 +1,5 @@
 // Makes only the first triangle of each cell.
+// Hint: You make one triangle in a cell that needs more.
 #include "exercises/08_making/marching_cubes.h"
 
 #include <cstdint>

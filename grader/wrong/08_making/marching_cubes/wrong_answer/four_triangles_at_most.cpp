@@ -1,4 +1,5 @@
 // Believes that no cell has more than four triangles.
+// Hint: Some cells need more triangles than you make.
 #include "exercises/08_making/marching_cubes.h"
 
 #include <cstdint>

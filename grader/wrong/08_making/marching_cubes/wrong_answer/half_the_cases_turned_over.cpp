@@ -1,6 +1,8 @@
 // Takes a case with more than four inside corners for its opposite, turned
 // over, as the fifteen classical cases do: neighbours then disagree where two
 // inside corners lie across from each other, and the surface has holes.
+// Hint: Your surface has holes: two cells with a common side do not join the
+// same vertices along it.
 #include "exercises/08_making/marching_cubes.h"
 
 #include <cstdint>

@@ -1,4 +1,6 @@
 // Takes the points below the level for the inside.
+// Hint: Your surface is turned over: what you take for its inside is its
+// outside.
 #include "exercises/08_making/marching_cubes.h"
 
 #include <cstdint>

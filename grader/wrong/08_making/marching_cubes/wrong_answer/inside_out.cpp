@@ -1,4 +1,6 @@
 // Turns every triangle of the table over.
+// Hint: Your surface is turned over: what you take for its inside is its
+// outside.
 #include "exercises/08_making/marching_cubes.h"
 
 #include <cstdint>

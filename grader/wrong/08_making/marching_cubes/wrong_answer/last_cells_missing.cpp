@@ -1,4 +1,5 @@
 // Stops one cell early in each direction.
+// Hint: You stop before the last cells of the grid.
 #include "exercises/08_making/marching_cubes.h"
 
 #include <cstdint>

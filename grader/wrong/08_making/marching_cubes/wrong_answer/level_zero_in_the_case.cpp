@@ -1,4 +1,5 @@
 // Compares with 0 instead of the level.
+// Hint: Somewhere you compare or compute with 0, where the level is meant.
 #include "exercises/08_making/marching_cubes.h"
 
 #include <cstdint>

@@ -1,4 +1,5 @@
 // Computes the place for the level 0.
+// Hint: Somewhere you compare or compute with 0, where the level is meant.
 #include "exercises/08_making/marching_cubes.h"
 
 #include <cstdint>

@@ -1,4 +1,6 @@
 // Puts each vertex into the middle of its edge.
+// Hint: Your vertices lie on the right edges, and in the wrong place along
+// them.
 #include "exercises/08_making/marching_cubes.h"
 
 #include <cstdint>

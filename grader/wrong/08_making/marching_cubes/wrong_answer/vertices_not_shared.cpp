@@ -1,4 +1,5 @@
 // Makes new vertices for each triangle.
+// Hint: You make a vertex again where a triangle beside has made it before.
 #include "exercises/08_making/marching_cubes.h"
 
 #include <cstdint>

@@ -1,4 +1,5 @@
 // Forgets the vertices from cell to cell.
+// Hint: You make a vertex again where another cell has made it before.
 #include "exercises/08_making/marching_cubes.h"
 
 #include <cstdint>

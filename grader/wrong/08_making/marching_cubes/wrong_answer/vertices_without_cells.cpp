@@ -1,4 +1,5 @@
 // Makes the vertices of all edges first, also in a grid that has no cells.
+// Hint: You make vertices where there is no cell.
 #include "exercises/08_making/marching_cubes.h"
 
 #include <cstdint>

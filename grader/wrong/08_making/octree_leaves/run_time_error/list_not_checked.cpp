@@ -1,4 +1,6 @@
 // Reads cells that the list does not have.
+// Hint: Where the contract refuses, your program ends with another error than
+// the one that it names.
 #include "exercises/08_making/octree_leaves.h"
 
 #include <cstdint>

@@ -1,4 +1,5 @@
 // Divides a cube of one cell as well, for ever.
+// Hint: You go on to divide where nothing is left to divide.
 #include "exercises/08_making/octree_leaves.h"
 
 #include <cstdint>

@@ -1,5 +1,7 @@
 // Right, but merges leaves from the cells upwards, and searches the seven
 // others of each in the whole list.
+// Hint: Your answers are right, but what you do for each cell takes longer the
+// larger the grid is.
 #include "exercises/08_making/octree_leaves.h"
 
 std::vector<OctreeLeaf> octree_leaves(const VoxelGrid& grid) {

@@ -1,4 +1,5 @@
 // Divides a size that is no power of two into unequal halves by rounding down.
+// Hint: You accept a grid that the contract refuses.
 #include "exercises/08_making/octree_leaves.h"
 
 #include <cstdint>

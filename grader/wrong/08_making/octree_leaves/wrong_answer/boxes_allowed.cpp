@@ -1,4 +1,5 @@
 // Refuses only what has the wrong number of cells.
+// Hint: You accept a grid that the contract refuses.
 #include "exercises/08_making/octree_leaves.h"
 
 #include <cstdint>

@@ -1,4 +1,5 @@
 // Joins cells to the largest cube that fits at their place, aligned or not.
+// Hint: You join cells that do not lie in the same octant.
 #include "exercises/08_making/octree_leaves.h"
 
 #include <cstdint>

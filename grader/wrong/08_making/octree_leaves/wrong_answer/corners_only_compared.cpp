@@ -1,4 +1,5 @@
 // Compares only the corners of a cube.
+// Hint: You do not compare all cells of a cube before you call them alike.
 #include "exercises/08_making/octree_leaves.h"
 
 #include <algorithm>

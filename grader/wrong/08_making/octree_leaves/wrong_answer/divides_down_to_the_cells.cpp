@@ -1,4 +1,5 @@
 // Divides until the size is 1, whatever the cells are.
+// Hint: You divide cubes whose cells are all empty.
 #include "exercises/08_making/octree_leaves.h"
 
 #include <cstdint>

@@ -1,4 +1,5 @@
 // Stops at full cubes only, and at cells.
+// Hint: You divide cubes whose cells are all empty.
 #include "exercises/08_making/octree_leaves.h"
 
 #include <cstdint>

@@ -1,4 +1,5 @@
 // Divides along x and y only, as a quadtree does.
+// Hint: You divide a cube into fewer than eight octants.
 #include "exercises/08_making/octree_leaves.h"
 
 #include <cstdint>

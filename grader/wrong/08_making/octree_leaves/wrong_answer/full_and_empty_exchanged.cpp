@@ -1,4 +1,5 @@
 // Tells the opposite of each leaf.
+// Hint: You call full leaves empty, and empty ones full.
 #include "exercises/08_making/octree_leaves.h"
 
 #include <cstdint>

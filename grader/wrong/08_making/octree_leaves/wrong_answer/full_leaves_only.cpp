@@ -1,4 +1,5 @@
 // Leaves the empty leaves out.
+// Hint: You leave out the leaves that are empty.
 #include "exercises/08_making/octree_leaves.h"
 
 #include <cstdint>

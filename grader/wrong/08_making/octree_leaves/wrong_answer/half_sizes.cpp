@@ -1,4 +1,5 @@
 // Tells half of the edge as the size, the distance from the middle.
+// Hint: Your leaves do not have the lengths of their edges as sizes.
 #include "exercises/08_making/octree_leaves.h"
 
 #include <cstdint>

@@ -1,4 +1,5 @@
 // Lists the cubes that were divided, too.
+// Hint: You list also cubes that you have divided; they are no leaves.
 #include "exercises/08_making/octree_leaves.h"
 
 #include <cstdint>

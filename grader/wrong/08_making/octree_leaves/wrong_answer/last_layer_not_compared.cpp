@@ -1,4 +1,5 @@
 // Stops comparing one layer before the end of the cube.
+// Hint: You do not compare all cells of a cube before you call them alike.
 #include "exercises/08_making/octree_leaves.h"
 
 #include <cstdint>

@@ -1,4 +1,5 @@
 // Stops when most cells are alike.
+// Hint: You stop at cubes whose cells are nearly all alike, and not all.
 #include "exercises/08_making/octree_leaves.h"
 
 #include <cstdint>

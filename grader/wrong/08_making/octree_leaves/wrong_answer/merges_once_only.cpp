@@ -1,4 +1,5 @@
 // Begins with the cells and merges eight of a kind, but only once.
+// Hint: Your leaves are never larger than two cells.
 #include "exercises/08_making/octree_leaves.h"
 
 #include <cstdint>

@@ -1,4 +1,5 @@
 // Takes the first cell for all.
+// Hint: You never divide the grid.
 #include "exercises/08_making/octree_leaves.h"
 
 #include <cstdint>

@@ -1,4 +1,5 @@
 // Forgets the octant that is furthest off.
+// Hint: You divide a cube into fewer than eight octants.
 #include "exercises/08_making/octree_leaves.h"
 
 #include <cstdint>

@@ -1,4 +1,6 @@
 // Tells the place in units of the size of the leaf.
+// Hint: Your leaves are not where they say: their places are not counted in
+// cells.
 #include "exercises/08_making/octree_leaves.h"
 
 #include <cstdint>

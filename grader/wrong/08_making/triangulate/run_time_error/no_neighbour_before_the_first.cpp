@@ -1,4 +1,6 @@
 // Looks for the neighbour before place 0 at place -1.
+// Hint: You leave the list of corners, where the last one is the neighbour of
+// the first.
 #include "exercises/08_making/triangulate.h"
 
 #include <string>

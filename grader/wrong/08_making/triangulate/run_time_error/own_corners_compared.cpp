@@ -1,5 +1,6 @@
 // Compares the triangle with its own corners, which always lie in it, and gives
 // up.
+// Hint: You find no ear where there is one, and give up.
 #include "exercises/08_making/triangulate.h"
 
 #include <string>

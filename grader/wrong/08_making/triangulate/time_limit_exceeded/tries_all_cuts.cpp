@@ -1,5 +1,7 @@
 // Tries every way to cut, and compares areas: the number of ways grows without
 // measure.
+// Hint: You try so many ways to cut that their number grows beyond measure
+// with the corners.
 #include "exercises/08_making/triangulate.h"
 
 #include <cmath>

@@ -1,5 +1,6 @@
 // Goes round and round until an ear comes; on corners that run clockwise in the
 // plane z = 0 none ever does.
+// Hint: In some planes or directions you find no ear, and search on for ever.
 #include "exercises/08_making/triangulate.h"
 
 #include <string>

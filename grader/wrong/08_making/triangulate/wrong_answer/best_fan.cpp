@@ -1,5 +1,7 @@
 // Tries a fan from each corner, and takes the first without a triangle that is
 // turned over.
+// Hint: You get along with a single reflex corner; with more of them you do
+// not.
 #include "exercises/08_making/triangulate.h"
 
 #include <string>

@@ -1,4 +1,5 @@
 // A corner on the rim of the triangle is taken for one outside.
+// Hint: You go wrong where three corners of the polygon are in one line.
 #include "exercises/08_making/triangulate.h"
 
 #include <string>

@@ -1,4 +1,5 @@
 // Cuts off straight corners, too.
+// Hint: You go wrong where three corners of the polygon are in one line.
 #include "exercises/08_making/triangulate.h"
 
 #include <string>

@@ -1,4 +1,6 @@
 // Makes a triangle of each convex corner and its neighbours, cutting nothing off.
+// Hint: Your triangles overlap: you make one of a corner and leave the corner
+// where it is.
 #include "exercises/08_making/triangulate.h"
 
 #include <string>

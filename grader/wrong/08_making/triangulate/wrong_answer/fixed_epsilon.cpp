@@ -1,5 +1,6 @@
 // Calls a corner straight below a fixed bound, which is right for one size
 // only.
+// Hint: Some number in your program is right for polygons of one size only.
 #include "exercises/08_making/triangulate.h"
 
 #include <string>

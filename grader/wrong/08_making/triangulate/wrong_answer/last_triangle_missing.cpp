@@ -1,4 +1,5 @@
 // Forgets the triangle that is left over.
+// Hint: You make one triangle too few.
 #include "exercises/08_making/triangulate.h"
 
 #include <string>

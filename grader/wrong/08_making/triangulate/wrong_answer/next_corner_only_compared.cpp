@@ -1,4 +1,6 @@
 // Compares only the next corner with the triangle.
+// Hint: You are right about convex polygons, and not about those with a reflex
+// corner.
 #include "exercises/08_making/triangulate.h"
 
 #include <string>

@@ -1,4 +1,6 @@
 // Numbers the corners of the polygon that is left, not of the whole.
+// Hint: You give the places of the corners in what is left of the polygon, not
+// their numbers in the whole one.
 #include "exercises/08_making/triangulate.h"
 
 #include <string>

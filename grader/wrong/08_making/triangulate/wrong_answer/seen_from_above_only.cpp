@@ -1,4 +1,6 @@
 // Takes the z axis for the normal of every polygon.
+// Hint: You are right only for polygons that lie and run in the way that you
+// expect.
 #include "exercises/08_making/triangulate.h"
 
 #include <string>

@@ -1,4 +1,5 @@
 // Drops straight corners first: too few triangles.
+// Hint: You go wrong where three corners of the polygon are in one line.
 #include "exercises/08_making/triangulate.h"
 
 #include <string>

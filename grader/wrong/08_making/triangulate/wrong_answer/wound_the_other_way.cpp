@@ -1,4 +1,5 @@
 // Turns every triangle over.
+// Hint: Your triangles are wound against the polygon.
 #include "exercises/08_making/triangulate.h"
 
 #include <string>

@@ -1,4 +1,6 @@
 // Counts to size - 2, which is huge for a face that is too small.
+// Hint: Where the contract refuses, your program ends with another error than
+// the one that it names.
 #include "exercises/08_making/triangulate_convex.h"
 
 #include <string>

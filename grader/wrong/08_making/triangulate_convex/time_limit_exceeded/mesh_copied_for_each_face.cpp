@@ -1,4 +1,6 @@
 // Right, but makes the whole result anew for each triangle.
+// Hint: Your answers are right, but what you do for each triangle takes longer
+// the larger the mesh is.
 #include "exercises/08_making/triangulate_convex.h"
 
 #include <string>

@@ -1,4 +1,5 @@
 // The counter of the fan stands still.
+// Hint: You never come to the end of a face.
 #include "exercises/08_making/triangulate_convex.h"
 
 #include <string>

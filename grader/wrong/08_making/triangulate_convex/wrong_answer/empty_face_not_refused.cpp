@@ -1,4 +1,5 @@
 // Refuses faces of one and two corners, and passes over those without any.
+// Hint: You accept a face that the contract refuses.
 #include "exercises/08_making/triangulate_convex.h"
 
 #include <string>

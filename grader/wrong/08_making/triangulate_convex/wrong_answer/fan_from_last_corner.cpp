@@ -1,4 +1,5 @@
 // Fans out from the last corner.
+// Hint: Your fan begins at another corner than the first.
 #include "exercises/08_making/triangulate_convex.h"
 
 #include <string>

@@ -1,4 +1,6 @@
 // Fans out from vertex 0 of the mesh, not from corner 0 of the face.
+// Hint: You take a vertex of the mesh for the corner of a face: your triangles
+// have vertices that their face does not have.
 #include "exercises/08_making/triangulate_convex.h"
 
 #include <string>

@@ -1,4 +1,5 @@
 // Looks at the size of the first face only.
+// Hint: You accept a face that the contract refuses.
 #include "exercises/08_making/triangulate_convex.h"
 
 #include <string>

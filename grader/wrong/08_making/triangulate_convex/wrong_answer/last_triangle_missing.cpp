@@ -1,4 +1,5 @@
 // Stops one triangle too early.
+// Hint: You make one triangle too few of each face.
 #include "exercises/08_making/triangulate_convex.h"
 
 #include <string>

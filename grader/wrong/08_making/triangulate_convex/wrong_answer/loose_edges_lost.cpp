@@ -1,4 +1,5 @@
 // Forgets the loose edges.
+// Hint: You lose the loose edges.
 #include "exercises/08_making/triangulate_convex.h"
 
 #include <string>

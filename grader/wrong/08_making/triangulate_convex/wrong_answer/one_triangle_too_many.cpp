@@ -1,4 +1,5 @@
 // Closes the fan with a triangle that has no area.
+// Hint: You make one triangle too many of each face.
 #include "exercises/08_making/triangulate_convex.h"
 
 #include <string>

@@ -1,4 +1,5 @@
 // Puts the places of the corners into the triangles, not the vertices.
+// Hint: You take the place of a corner in its face for the number of a vertex.
 #include "exercises/08_making/triangulate_convex.h"
 
 #include <string>

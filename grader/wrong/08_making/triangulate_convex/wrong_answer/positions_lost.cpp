@@ -1,4 +1,5 @@
 // Returns the faces only.
+// Hint: You lose the positions of the vertices.
 #include "exercises/08_making/triangulate_convex.h"
 
 #include <string>

@@ -1,4 +1,6 @@
 // Cuts a face into a strip, to and fro: triangles that cover it, but no fan.
+// Hint: You cut the faces into triangles, but not into a fan: all of its
+// triangles meet in one corner.
 #include "exercises/08_making/triangulate_convex.h"
 
 #include <string>

@@ -1,5 +1,7 @@
 // Takes three corners in a row: right for triangles and the first half of a
 // quad.
+// Hint: You take corners that follow each other; the triangles of a face have
+// no corner in common.
 #include "exercises/08_making/triangulate_convex.h"
 
 #include <string>

@@ -1,4 +1,6 @@
 // All triangles come first, then what was cut.
+// Hint: Your triangles are the right ones, and not in the order of their
+// faces.
 #include "exercises/08_making/triangulate_convex.h"
 
 #include <string>

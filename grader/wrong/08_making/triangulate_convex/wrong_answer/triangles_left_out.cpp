@@ -1,4 +1,5 @@
 // Cuts what is no triangle, and forgets the triangles themselves.
+// Hint: You leave out the faces that are triangles already.
 #include "exercises/08_making/triangulate_convex.h"
 
 #include <string>

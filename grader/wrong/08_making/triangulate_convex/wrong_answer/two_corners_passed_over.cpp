@@ -1,4 +1,5 @@
 // Leaves out what is too small, instead of refusing it.
+// Hint: You accept a face that the contract refuses.
 #include "exercises/08_making/triangulate_convex.h"
 
 #include <string>

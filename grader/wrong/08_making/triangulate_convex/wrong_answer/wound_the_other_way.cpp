@@ -1,4 +1,5 @@
 // Turns every triangle over.
+// Hint: Your triangles are wound against their faces.
 #include "exercises/08_making/triangulate_convex.h"
 
 #include <string>

@@ -1,4 +1,6 @@
 // Right, but searches the place of each corner among all vertices.
+// Hint: Your answers are right, but what you do for each corner takes longer
+// the larger the mesh is.
 #include "exercises/08_making/uv_sphere.h"
 
 #include <cmath>

@@ -1,4 +1,6 @@
 // Gives degrees to sin and cos.
+// Hint: You compute with angles in another unit than the functions for them
+// expect.
 #include "exercises/08_making/uv_sphere.h"
 
 #include <cmath>

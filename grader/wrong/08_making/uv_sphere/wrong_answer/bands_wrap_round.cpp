@@ -1,5 +1,6 @@
 // Goes from pole to pole and back again: the angle a runs round the full
 // circle.
+// Hint: Your bands go from pole to pole and back again.
 #include "exercises/08_making/uv_sphere.h"
 
 #include <cmath>

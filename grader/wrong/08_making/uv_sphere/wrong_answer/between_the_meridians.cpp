@@ -1,4 +1,6 @@
 // Begins half a step beside meridian 0.
+// Hint: Your sphere is turned about its axis: the first meridian is not in its
+// place.
 #include "exercises/08_making/uv_sphere.h"
 
 #include <cmath>

@@ -1,4 +1,6 @@
 // Makes two triangles of each cell, also at the poles, where one has no area.
+// Hint: Your vertices are right. Your triangles are not, and those at the
+// poles are among the wrong or missing ones.
 #include "exercises/08_making/uv_sphere.h"
 
 #include <cmath>

@@ -1,4 +1,6 @@
 // Puts the circles at equal heights instead of equal angles.
+// Hint: Your circles are not where they should be: the angles between them are
+// not equal.
 #include "exercises/08_making/uv_sphere.h"
 
 #include <cmath>

@@ -1,4 +1,6 @@
 // Divides i by nu as whole numbers.
+// Hint: Your vertices fall together: a division of whole numbers drops what is
+// behind the point.
 #include "exercises/08_making/uv_sphere.h"
 
 #include <cmath>

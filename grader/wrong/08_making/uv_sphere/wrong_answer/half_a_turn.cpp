@@ -1,4 +1,5 @@
 // The meridians go round half of the sphere only.
+// Hint: Your meridians do not go all the way round.
 #include "exercises/08_making/uv_sphere.h"
 
 #include <cmath>

@@ -1,4 +1,6 @@
 // Stops before the cell that closes the round.
+// Hint: Your vertices are right. Your triangles are not, and those at the
+// poles are among the wrong or missing ones.
 #include "exercises/08_making/uv_sphere.h"
 
 #include <cmath>

@@ -1,4 +1,6 @@
 // Takes nu for the bands and nv for the meridians.
+// Hint: You take the number of meridians for that of the bands, and the other
+// way round.
 #include "exercises/08_making/uv_sphere.h"
 
 #include <cmath>

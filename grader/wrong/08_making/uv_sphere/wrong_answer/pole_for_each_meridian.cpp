@@ -1,4 +1,5 @@
 // Makes a pole for each meridian, all in one place.
+// Hint: You have several vertices in one place.
 #include "exercises/08_making/uv_sphere.h"
 
 #include <cmath>

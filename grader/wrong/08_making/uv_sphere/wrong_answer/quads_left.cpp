@@ -1,4 +1,6 @@
 // Does not cut the cells between the caps.
+// Hint: Your vertices and the triangles at the poles are right; the two
+// triangles of a cell between them are not.
 #include "exercises/08_making/uv_sphere.h"
 
 #include <cmath>

@@ -1,4 +1,6 @@
 // After the last meridian comes the first one of the next circle.
+// Hint: Your vertices are right. Your triangles are not, and those at the
+// poles are among the wrong or missing ones.
 #include "exercises/08_making/uv_sphere.h"
 
 #include <cmath>

@@ -1,5 +1,6 @@
 // The last meridian is a second copy of the first: a seam runs from pole to
 // pole.
+// Hint: You have several vertices in one place.
 #include "exercises/08_making/uv_sphere.h"
 
 #include <cmath>

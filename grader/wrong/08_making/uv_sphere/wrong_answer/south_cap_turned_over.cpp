@@ -1,4 +1,6 @@
 // The triangles at the south pole are wound as those at the north pole.
+// Hint: Your vertices are right. Your triangles are not, and those at the
+// poles are among the wrong or missing ones.
 #include "exercises/08_making/uv_sphere.h"
 
 #include <cmath>

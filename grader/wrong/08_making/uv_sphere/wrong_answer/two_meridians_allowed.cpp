@@ -1,4 +1,5 @@
 // Refuses too few bands only.
+// Hint: You accept a number of meridians or bands that the contract refuses.
 #include "exercises/08_making/uv_sphere.h"
 
 #include <cmath>

@@ -1,4 +1,6 @@
 // Reads the neighbour before the first cell, and after the last.
+// Hint: You read neighbours of cells at the end of the grid, where there are
+// none.
 #include "exercises/08_making/voxel_surface.h"
 
 #include <array>

@@ -1,4 +1,6 @@
 // Right, but searches each corner among all vertices.
+// Hint: Your answers are right, but what you do for each cell takes longer the
+// larger the grid is.
 #include "exercises/08_making/voxel_surface.h"
 
 #include <array>

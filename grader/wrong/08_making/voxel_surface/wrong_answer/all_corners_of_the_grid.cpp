@@ -1,4 +1,5 @@
 // Makes a vertex for each corner of the grid, used or not.
+// Hint: You make vertices that no quad uses.
 #include "exercises/08_making/voxel_surface.h"
 
 #include <array>

@@ -1,4 +1,5 @@
 // Gives every full cell all of its sides.
+// Hint: You make quads between two full cells.
 #include "exercises/08_making/voxel_surface.h"
 
 #include <array>

@@ -1,4 +1,6 @@
 // Puts the middle of cell (i, j, k) at (i, j, k), half a unit off.
+// Hint: Your surface is not in its place: a cell begins at its numbers, and is
+// not round them.
 #include "exercises/08_making/voxel_surface.h"
 
 #include <array>

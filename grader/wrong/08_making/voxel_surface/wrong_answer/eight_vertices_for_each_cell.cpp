@@ -1,4 +1,5 @@
 // Each cell has vertices of its own.
+// Hint: You make a vertex again where another cell has made it before.
 #include "exercises/08_making/voxel_surface.h"
 
 #include <array>

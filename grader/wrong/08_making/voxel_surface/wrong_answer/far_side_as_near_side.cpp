@@ -1,5 +1,6 @@
 // Both sides of an axis are wound in the same way, so that one of them looks
 // inwards.
+// Hint: Some of your quads are wound inwards.
 #include "exercises/08_making/voxel_surface.h"
 
 #include <array>

@@ -1,4 +1,5 @@
 // Makes new vertices for each quad.
+// Hint: You make a vertex again where another quad has made it before.
 #include "exercises/08_making/voxel_surface.h"
 
 #include <array>

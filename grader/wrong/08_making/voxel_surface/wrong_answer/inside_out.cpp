@@ -1,4 +1,6 @@
 // Wound clockwise seen from outside.
+// Hint: Your surface is turned over: what you take for its inside is its
+// outside.
 #include "exercises/08_making/voxel_surface.h"
 
 #include <array>

@@ -1,4 +1,5 @@
 // Compares the product only.
+// Hint: You accept a grid that the contract refuses.
 #include "exercises/08_making/voxel_surface.h"
 
 #include <array>

@@ -1,5 +1,6 @@
 // Makes the squares where a cell and the next differ, and so none at the near
 // rim.
+// Hint: Your surface is open where a full cell touches the end of the grid.
 #include "exercises/08_making/voxel_surface.h"
 
 #include <array>

@@ -1,4 +1,6 @@
 // Looks at the neighbours on the far sides only.
+// Hint: You make quads on some sides of a full cell only, and ask nobody on
+// the others.
 #include "exercises/08_making/voxel_surface.h"
 
 #include <array>

@@ -1,4 +1,5 @@
 // Looks only at neighbours within the grid on the far sides.
+// Hint: Your surface is open where a full cell touches the end of the grid.
 #include "exercises/08_making/voxel_surface.h"
 
 #include <array>

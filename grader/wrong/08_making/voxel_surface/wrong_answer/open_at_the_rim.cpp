@@ -1,4 +1,5 @@
 // Takes what is beyond the grid for full.
+// Hint: Your surface is open where a full cell touches the end of the grid.
 #include "exercises/08_making/voxel_surface.h"
 
 #include <array>

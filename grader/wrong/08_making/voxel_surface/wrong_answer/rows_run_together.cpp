@@ -1,4 +1,5 @@
 // Takes the next cell in the list for the neighbour, over the end of a row.
+// Hint: At the end of the grid you take some other cell for the neighbour.
 #include "exercises/08_making/voxel_surface.h"
 
 #include <array>

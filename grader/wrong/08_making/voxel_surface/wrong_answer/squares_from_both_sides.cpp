@@ -1,5 +1,6 @@
 // Makes a square where two cells differ, from the full one and from the empty
 // one.
+// Hint: You make two quads in one place.
 #include "exercises/08_making/voxel_surface.h"
 
 #include <array>

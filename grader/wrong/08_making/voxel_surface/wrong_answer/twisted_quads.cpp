@@ -1,4 +1,6 @@
 // Runs over cross between the corners.
+// Hint: Your quads cross themselves: their corners do not follow each other
+// round the square.
 #include "exercises/08_making/voxel_surface.h"
 
 #include <array>

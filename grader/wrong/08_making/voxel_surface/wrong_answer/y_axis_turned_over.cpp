@@ -1,4 +1,5 @@
 // Takes x and z for the sides across y, which turns them over.
+// Hint: Some of your quads are wound inwards.
 #include "exercises/08_making/voxel_surface.h"
 
 #include <array>

@@ -1,4 +1,6 @@
 // Believes that the list runs along z first.
+// Hint: You read the list of the grid as if its directions followed each other
+// in another order.
 #include "exercises/08_making/voxel_surface.h"
 
 #include <array>

@@ -1,5 +1,5 @@
 // Compares only the next corner with the triangle.
-// Hint: You are right about convex polygons, and not about those with a reflex
+// Hint: You are right about polygons that are convex, not about those with a reflex
 // corner.
 #include "exercises/08_making/triangulate.h"
 

@@ -1,6 +1,6 @@
 // Looks only for corners in the triangle, not at the turn: the last ear may be
 // turned over.
-// Hint: You are right about convex polygons, and not about those with a reflex
+// Hint: You are right about polygons that are convex, not about those with a reflex
 // corner.
 #include "exercises/08_making/triangulate.h"
 

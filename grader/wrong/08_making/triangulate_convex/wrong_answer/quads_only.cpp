@@ -1,6 +1,6 @@
 // Knows triangles and quads; longer faces are left as they are.
-// Hint: You are right with triangles and quads, and not with faces that have
-// more corners.
+// Hint: You are right with faces of three or four corners, not with those of
+// more.
 #include "exercises/08_making/triangulate_convex.h"
 
 #include <string>

@@ -1,4 +1,6 @@
 // Does not ask whether i is a half-edge.
+// Hint: You throw, or read the table, where the number is no row of it; an
+// answer was asked for.
 #include "exercises/09_processing/can_collapse.h"
 
 #include <algorithm>

@@ -1,4 +1,6 @@
 // Throws where it must say no.
+// Hint: You throw, or read the table, where the number is no row of it; an
+// answer was asked for.
 #include "exercises/09_processing/can_collapse.h"
 
 #include <algorithm>

@@ -1,4 +1,6 @@
 // Collects the neighbours from the whole table.
+// Hint: Your answers are right, but you look through the whole table: what you
+// need is a few steps away.
 #include "exercises/09_processing/can_collapse.h"
 
 #include <algorithm>

@@ -1,4 +1,6 @@
 // Allows any two common neighbours: they need not be on triangles.
+// Hint: You count the common neighbours of the two ends; it matters where they
+// lie, too.
 #include "exercises/09_processing/can_collapse.h"
 
 #include <algorithm>

@@ -1,4 +1,6 @@
 // Takes an end for a border vertex only if the half-edge at hand has no face.
+// Hint: You take a vertex for one inside the mesh though it lies on the
+// border.
 #include "exercises/09_processing/can_collapse.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Refuses each edge with both ends on the border, border edges too.
+// Hint: You refuse border edges because both of their ends are on the border.
 #include "exercises/09_processing/can_collapse.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Takes the vertex after next for the third corner, whatever the face.
+// Hint: You treat larger faces along the edge as if they were triangles.
 #include "exercises/09_processing/can_collapse.h"
 
 #include <algorithm>

@@ -1,4 +1,6 @@
 // Counts the edge itself among those that stay.
+// Hint: You count edges that vanish in the collapse among those that the
+// vertex will have.
 #include "exercises/09_processing/can_collapse.h"
 
 #include <algorithm>

@@ -1,4 +1,6 @@
 // Asks for exactly two common neighbours, as in a closed triangle mesh.
+// Hint: You ask for two common neighbours everywhere; at a border or a larger
+// face there are fewer.
 #include "exercises/09_processing/can_collapse.h"
 
 #include <algorithm>

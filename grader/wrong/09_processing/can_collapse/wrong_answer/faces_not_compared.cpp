@@ -1,4 +1,6 @@
 // Looks at triangles only: a larger face may hold both ends.
+// Hint: You do not see that a larger face away from the edge has corners at
+// both ends.
 #include "exercises/09_processing/can_collapse.h"
 
 #include <algorithm>

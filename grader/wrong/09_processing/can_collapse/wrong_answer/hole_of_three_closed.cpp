@@ -1,4 +1,5 @@
 // Takes a hole with three edges for a triangle.
+// Hint: You take a hole with three edges for a triangle.
 #include "exercises/09_processing/can_collapse.h"
 
 #include <algorithm>

@@ -1,4 +1,6 @@
 // Does not look at the border.
+// Hint: You allow an edge through the inside of the mesh that leads from
+// border to border.
 #include "exercises/09_processing/can_collapse.h"
 
 #include <algorithm>

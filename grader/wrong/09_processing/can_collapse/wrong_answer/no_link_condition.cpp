@@ -1,4 +1,6 @@
 // Leaves out the link condition.
+// Hint: You allow edges whose two ends have a common neighbour that is on no
+// triangle along the edge.
 #include "exercises/09_processing/can_collapse.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Looks for a triangle on the side of i alone.
+// Hint: You look for a triangle on one side of the edge only.
 #include "exercises/09_processing/can_collapse.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Leaves out rule 4: the link condition alone lets a tetrahedron pass.
+// Hint: You do not ask how many edges the one vertex will have.
 #include "exercises/09_processing/can_collapse.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Asks for three edges on the border, too.
+// Hint: You ask for more edges than needed where an end is on the border.
 #include "exercises/09_processing/can_collapse.h"
 
 #include <algorithm>

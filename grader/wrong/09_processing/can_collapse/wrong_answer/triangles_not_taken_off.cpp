@@ -1,4 +1,5 @@
 // Forgets that two sides of a triangle become one.
+// Hint: You count two sides of a triangle as two edges though they become one.
 #include "exercises/09_processing/can_collapse.h"
 
 #include <algorithm>

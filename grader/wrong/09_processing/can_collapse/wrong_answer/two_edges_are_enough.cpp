@@ -1,4 +1,5 @@
 // Is content with two edges inside.
+// Hint: You allow a vertex inside the mesh that has two edges only.
 #include "exercises/09_processing/can_collapse.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Looks at the last corner of a face that has none.
+// Hint: You read a corner of a face that has none.
 #include "exercises/09_processing/clean_mesh.h"
 
 #include <algorithm>

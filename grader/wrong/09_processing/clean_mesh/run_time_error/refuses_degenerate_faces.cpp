@@ -1,4 +1,5 @@
 // Throws where a face is to be dropped.
+// Hint: You throw where a face was to be dropped.
 #include "exercises/09_processing/clean_mesh.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Compares each face with all before it, from every corner.
+// Hint: Your answers are right, but you go through all faces again and again.
 #include "exercises/09_processing/clean_mesh.h"
 
 #include <algorithm>

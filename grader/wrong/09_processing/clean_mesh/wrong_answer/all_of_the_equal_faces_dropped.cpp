@@ -1,4 +1,5 @@
 // Drops the first of equal faces as well.
+// Hint: You drop all of several equal faces, the first one as well.
 #include "exercises/09_processing/clean_mesh.h"
 
 #include <algorithm>

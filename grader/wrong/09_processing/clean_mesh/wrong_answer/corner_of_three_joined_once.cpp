@@ -1,4 +1,6 @@
 // Takes out one of three corners in a row only.
+// Hint: Where a vertex comes three times in a row or more, you leave more than
+// one corner.
 #include "exercises/09_processing/clean_mesh.h"
 
 #include <algorithm>

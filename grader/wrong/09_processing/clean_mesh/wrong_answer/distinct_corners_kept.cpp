@@ -1,4 +1,5 @@
 // Takes out every later corner at a vertex, not only those in a row.
+// Hint: You mend a face that comes back to a vertex; it was to be dropped.
 #include "exercises/09_processing/clean_mesh.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Looks for duplicates before corners are joined.
+// Hint: You compare faces as they were before repeated corners became one.
 #include "exercises/09_processing/clean_mesh.h"
 
 #include <algorithm>

@@ -1,4 +1,6 @@
 // Takes faces with the same set of corners for the same.
+// Hint: You take faces for equal that have the same corners in another cyclic
+// order.
 #include "exercises/09_processing/clean_mesh.h"
 
 #include <algorithm>

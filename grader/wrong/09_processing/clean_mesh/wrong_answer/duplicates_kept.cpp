@@ -1,4 +1,6 @@
 // Keeps duplicates.
+// Hint: You keep faces that have the same corners in the same cyclic order as
+// an earlier one.
 #include "exercises/09_processing/clean_mesh.h"
 
 #include <algorithm>

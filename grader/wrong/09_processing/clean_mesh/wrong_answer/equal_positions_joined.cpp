@@ -1,4 +1,5 @@
 // Joins vertices at one position as well.
+// Hint: You join vertices that lie at the same position.
 #include "exercises/09_processing/clean_mesh.h"
 
 #include <algorithm>

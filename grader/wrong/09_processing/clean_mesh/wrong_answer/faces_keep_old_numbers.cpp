@@ -1,4 +1,6 @@
 // Leaves vertices out and does not renumber the faces.
+// Hint: You leave vertices out, but the faces still name them by their numbers
+// from before.
 #include "exercises/09_processing/clean_mesh.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Puts the faces into the order of a set.
+// Hint: Your faces are the right ones, but not in the order of the mesh.
 #include "exercises/09_processing/clean_mesh.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Keeps faces of two corners.
+// Hint: You keep faces with fewer than three corners.
 #include "exercises/09_processing/clean_mesh.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Of equal faces keeps the last one, in its place.
+// Hint: Of equal faces you keep another one than the first.
 #include "exercises/09_processing/clean_mesh.h"
 
 #include <algorithm>

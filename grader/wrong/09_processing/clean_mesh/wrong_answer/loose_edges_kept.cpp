@@ -1,4 +1,5 @@
 // Hands the loose edges on.
+// Hint: You hand loose edges on; they were to be dropped.
 #include "exercises/09_processing/clean_mesh.h"
 
 #include <algorithm>

@@ -1,4 +1,6 @@
 // Drops a face with a corner twice in a row, instead of mending it.
+// Hint: You drop faces that still have three corners or more when the repeated
+// ones have become one.
 #include "exercises/09_processing/clean_mesh.h"
 
 #include <algorithm>

@@ -1,4 +1,6 @@
 // Drops a third face at an edge as well.
+// Hint: You drop faces at an edge that has others already; nothing is wrong
+// with them here.
 #include "exercises/09_processing/clean_mesh.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Knows only triangles as faces.
+// Hint: You drop faces with more than three corners.
 #include "exercises/09_processing/clean_mesh.h"
 
 #include <algorithm>

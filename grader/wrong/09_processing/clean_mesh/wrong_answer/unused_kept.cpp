@@ -1,4 +1,5 @@
 // Keeps the vertices that no face uses.
+// Hint: You keep vertices that belong to no face.
 #include "exercises/09_processing/clean_mesh.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Decides which vertices are used before faces are dropped.
+// Hint: You keep vertices that only dropped faces used.
 #include "exercises/09_processing/clean_mesh.h"
 
 #include <algorithm>

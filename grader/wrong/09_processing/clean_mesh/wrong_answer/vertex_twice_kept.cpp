@@ -1,4 +1,5 @@
 // Keeps a face that comes back to a vertex.
+// Hint: You keep a face that comes back to a vertex.
 #include "exercises/09_processing/clean_mesh.h"
 
 #include <algorithm>

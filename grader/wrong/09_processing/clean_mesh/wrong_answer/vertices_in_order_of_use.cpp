@@ -1,4 +1,6 @@
 // Numbers the vertices as the faces come to them.
+// Hint: Your vertices are the right ones, but in another order than the
+// contract says.
 #include "exercises/09_processing/clean_mesh.h"
 
 #include <algorithm>

@@ -1,4 +1,6 @@
 // Makes all cubes of the box: more than can be counted.
+// Hint: You make room for cubes in which no vertex lies; there may be very
+// many.
 #include "exercises/09_processing/cluster.h"
 
 #include <algorithm>

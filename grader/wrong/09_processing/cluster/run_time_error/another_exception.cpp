@@ -1,4 +1,6 @@
 // Refuses with an exception of another type.
+// Hint: You refuse what must be refused, but something else comes out than the
+// exception that the contract names.
 #include "exercises/09_processing/cluster.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Looks for the cube of each vertex in a list of all cubes.
+// Hint: Your answers are right, but you go through all cubes again and again.
 #include "exercises/09_processing/cluster.h"
 
 #include <algorithm>

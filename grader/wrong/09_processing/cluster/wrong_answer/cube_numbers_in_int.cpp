@@ -1,4 +1,5 @@
 // Keeps the number of a cube in an int, where a large one does not fit.
+// Hint: You keep the number of a cube where a very large one does not fit.
 #include "exercises/09_processing/cluster.h"
 
 #include <algorithm>

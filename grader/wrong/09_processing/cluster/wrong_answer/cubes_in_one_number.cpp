@@ -1,4 +1,5 @@
 // Mixes the three numbers of a cube into one: other cubes have it, too.
+// Hint: You take cubes that are far from each other for the same one.
 #include "exercises/09_processing/cluster.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Keeps faces that have fewer than three corners left.
+// Hint: You keep faces with fewer than three corners.
 #include "exercises/09_processing/cluster.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Leaves a face its distinct corners, wherever they stand in it.
+// Hint: You mend a face that comes back to a vertex; it was to be dropped.
 #include "exercises/09_processing/cluster.h"
 
 #include <algorithm>

@@ -1,4 +1,6 @@
 // Drops polygons that lose a corner but have three or more left.
+// Hint: You drop faces that still have three corners or more when the repeated
+// ones have become one.
 #include "exercises/09_processing/cluster.h"
 
 #include <algorithm>

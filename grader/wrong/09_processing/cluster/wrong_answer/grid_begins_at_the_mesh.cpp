@@ -1,4 +1,5 @@
 // Puts the corner of the first cube at the smallest coordinates.
+// Hint: Your cubes move along with the mesh; they should stay where they are.
 #include "exercises/09_processing/cluster.h"
 
 #include <algorithm>

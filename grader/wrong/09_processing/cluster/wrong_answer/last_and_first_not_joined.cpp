@@ -1,4 +1,6 @@
 // Forgets that the last corner is followed by the first.
+// Hint: You do not see that the last corner of a face is followed by the
+// first.
 #include "exercises/09_processing/cluster.h"
 
 #include <algorithm>

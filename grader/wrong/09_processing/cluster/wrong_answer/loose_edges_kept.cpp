@@ -1,4 +1,5 @@
 // Hands the loose edges on, with their old numbers.
+// Hint: You hand loose edges on; they were to be dropped.
 #include "exercises/09_processing/cluster.h"
 
 #include <algorithm>

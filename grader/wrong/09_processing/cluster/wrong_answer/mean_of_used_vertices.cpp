@@ -1,4 +1,5 @@
 // Leaves vertices that no face uses out of the mean.
+// Hint: You leave vertices that no face uses out of the mean.
 #include "exercises/09_processing/cluster.h"
 
 #include <algorithm>

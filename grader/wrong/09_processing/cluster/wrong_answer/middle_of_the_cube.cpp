@@ -1,4 +1,6 @@
 // Puts the representative into the middle of the cube.
+// Hint: You put the vertex of a cube somewhere else than at the mean of all
+// vertices in it.
 #include "exercises/09_processing/cluster.h"
 
 #include <algorithm>

@@ -1,4 +1,6 @@
 // Numbers the vertices in the order of the cubes, not of the mesh.
+// Hint: Your vertices are the right ones, but in another order than the
+// contract says.
 #include "exercises/09_processing/cluster.h"
 
 #include <algorithm>

@@ -1,4 +1,6 @@
 // Rounds to the nearest: the cubes have no corner at the origin.
+// Hint: Your cubes lie elsewhere than the contract says: none has a corner at
+// the origin.
 #include "exercises/09_processing/cluster.h"
 
 #include <algorithm>

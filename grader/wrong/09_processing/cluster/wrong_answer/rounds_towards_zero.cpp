@@ -1,4 +1,5 @@
 // Cuts off the decimals: the cubes on both sides of 0 become one.
+// Hint: You put vertices on both sides of 0 into one cube.
 #include "exercises/09_processing/cluster.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Drops a face that another one has become, too.
+// Hint: You drop faces because others have become the same; they should stay.
 #include "exercises/09_processing/cluster.h"
 
 #include <algorithm>

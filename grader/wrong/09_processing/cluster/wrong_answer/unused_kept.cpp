@@ -1,4 +1,5 @@
 // Keeps representatives that no face uses.
+// Hint: You keep vertices that belong to no face.
 #include "exercises/09_processing/cluster.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Counts vertices of dropped faces as used.
+// Hint: You keep vertices that only dropped faces used.
 #include "exercises/09_processing/cluster.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Keeps a face that comes to one vertex twice.
+// Hint: You keep a face that comes back to a vertex.
 #include "exercises/09_processing/cluster.h"
 
 #include <algorithm>

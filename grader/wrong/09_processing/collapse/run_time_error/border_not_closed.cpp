@@ -1,4 +1,5 @@
 // Takes a border half-edge out, but lets the one before it lead to it.
+// Hint: Along the border something still leads to a half-edge that has gone.
 #include "exercises/09_processing/collapse.h"
 
 #include <string>

@@ -1,4 +1,5 @@
 // Walks round the vertex when its edges have changed already.
+// Hint: You wait for a start that your walk never meets.
 #include "exercises/09_processing/collapse.h"
 
 #include <string>

@@ -1,4 +1,6 @@
 // Counts, for each row, how many rows before it have gone.
+// Hint: Your answers are right, but you look through the whole table again and
+// again.
 #include "exercises/09_processing/collapse.h"
 
 #include <string>

@@ -1,4 +1,5 @@
 // Gives the table back unchanged where it must refuse.
+// Hint: You do not refuse where can_collapse says no.
 #include "exercises/09_processing/collapse.h"
 
 #include <string>

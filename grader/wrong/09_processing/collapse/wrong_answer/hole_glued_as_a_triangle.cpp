@@ -1,4 +1,5 @@
 // Never finds a triangle: one is left with two sides.
+// Hint: You leave a face with two sides where a triangle was to vanish.
 #include "exercises/09_processing/collapse.h"
 
 #include <string>

@@ -1,4 +1,5 @@
 // Glues the sides beside the edge in each face, whatever its size.
+// Hint: You treat larger faces along the edge as if they were triangles.
 #include "exercises/09_processing/collapse.h"
 
 #include <string>

@@ -1,4 +1,5 @@
 // Refuses numbers off the table only.
+// Hint: You do not refuse where can_collapse says no.
 #include "exercises/09_processing/collapse.h"
 
 #include <string>

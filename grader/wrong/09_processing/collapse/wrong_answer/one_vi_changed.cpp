@@ -1,4 +1,5 @@
 // Changes the vertex of i alone: others leave the old one, too.
+// Hint: Some half-edges still leave the vertex that has gone.
 #include "exercises/09_processing/collapse.h"
 
 #include <string>

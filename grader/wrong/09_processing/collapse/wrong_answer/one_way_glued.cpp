@@ -1,4 +1,6 @@
 // Tells one of the two new neighbours only.
+// Hint: Where a triangle vanishes, you give only one of the two half-edges
+// beside it a new opposite.
 #include "exercises/09_processing/collapse.h"
 
 #include <string>

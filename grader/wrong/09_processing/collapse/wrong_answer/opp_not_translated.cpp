@@ -1,4 +1,6 @@
 // Translates next but not opp when rows move up.
+// Hint: You move rows up in the table, but some links still have the numbers
+// from before.
 #include "exercises/09_processing/collapse.h"
 
 #include <string>

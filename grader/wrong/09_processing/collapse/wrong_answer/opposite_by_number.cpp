@@ -1,4 +1,6 @@
 // Takes the two rows of an edge for neighbours in the table.
+// Hint: You take the half-edge in the neighbouring row for the opposite one;
+// the table says which it is.
 #include "exercises/09_processing/collapse.h"
 
 #include <string>

@@ -1,4 +1,5 @@
 // Closes the gap on the side of i alone.
+// Hint: You close the gap on one side of the edge only.
 #include "exercises/09_processing/collapse.h"
 
 #include <string>

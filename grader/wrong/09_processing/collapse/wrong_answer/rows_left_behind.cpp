@@ -1,4 +1,5 @@
 // Leaves the rows of what has gone in the table.
+// Hint: The rows of what has gone are still in your table.
 #include "exercises/09_processing/collapse.h"
 
 #include <string>

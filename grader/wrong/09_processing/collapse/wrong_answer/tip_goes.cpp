@@ -1,4 +1,5 @@
 // Pulls the tip into the start.
+// Hint: You let the wrong end of the half-edge go.
 #include "exercises/09_processing/collapse.h"
 
 #include <string>

@@ -1,4 +1,5 @@
 // Takes the two rows of the edge away, but not those of the triangles.
+// Hint: The rows of vanished triangles are still in your table.
 #include "exercises/09_processing/collapse.h"
 
 #include <string>

@@ -1,4 +1,5 @@
 // Moves the numbers of later vertices up by one.
+// Hint: You give vertices that stay new numbers.
 #include "exercises/09_processing/collapse.h"
 
 #include <string>

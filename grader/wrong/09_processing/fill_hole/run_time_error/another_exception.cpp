@@ -1,4 +1,6 @@
 // Throws another exception than the contract says.
+// Hint: You refuse what must be refused, but something else comes out than the
+// exception that the contract names.
 #include "exercises/09_processing/fill_hole.h"
 
 #include <algorithm>

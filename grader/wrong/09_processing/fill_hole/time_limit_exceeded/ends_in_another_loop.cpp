@@ -1,4 +1,5 @@
 // Ends the walk at the first border half-edge, whichever loop it is in.
+// Hint: You wait for a start that your walk never meets.
 #include "exercises/09_processing/fill_hole.h"
 
 #include <algorithm>

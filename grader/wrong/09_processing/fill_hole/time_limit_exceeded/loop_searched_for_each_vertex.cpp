@@ -1,4 +1,6 @@
 // Searches the whole loop for each vertex that it meets.
+// Hint: Your answers are right, but you go through the same half-edges again
+// and again.
 #include "exercises/09_processing/fill_hole.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Collects all border half-edges of the table into the one hole.
+// Hint: You fill more than the one hole that was asked for.
 #include "exercises/09_processing/fill_hole.h"
 
 #include <algorithm>

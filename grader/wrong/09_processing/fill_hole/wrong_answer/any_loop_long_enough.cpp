@@ -1,4 +1,5 @@
 // Fills the two sides of a loose edge.
+// Hint: You fill a loop that goes along one edge and back, which is no hole.
 #include "exercises/09_processing/fill_hole.h"
 
 #include <algorithm>

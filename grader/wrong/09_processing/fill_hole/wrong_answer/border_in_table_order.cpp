@@ -1,4 +1,6 @@
 // Takes the order of the border half-edges from their numbers.
+// Hint: You take the half-edges of the hole in the order of the table and not
+// of the walk.
 #include "exercises/09_processing/fill_hole.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Crosses over to the border when given the side of a face.
+// Hint: You accept a half-edge or a new vertex that the contract refuses.
 #include "exercises/09_processing/fill_hole.h"
 
 #include <algorithm>

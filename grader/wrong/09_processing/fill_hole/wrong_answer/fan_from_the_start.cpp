@@ -1,4 +1,5 @@
 // Makes a fan from the start of `border`, without a new vertex.
+// Hint: You fill the hole without the new vertex in its middle.
 #include "exercises/09_processing/fill_hole.h"
 
 #include <algorithm>

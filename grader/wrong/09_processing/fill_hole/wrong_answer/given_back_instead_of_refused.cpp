@@ -1,4 +1,6 @@
 // Gives the table back where the hole cannot be filled.
+// Hint: You give a table back where the hole cannot be filled; that was to be
+// refused.
 #include "exercises/09_processing/fill_hole.h"
 
 #include <algorithm>

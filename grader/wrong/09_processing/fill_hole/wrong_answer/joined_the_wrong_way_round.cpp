@@ -1,4 +1,6 @@
 // Joins each triangle with the one after it where the one before it lies.
+// Hint: You join each new triangle with its two neighbours the wrong way
+// round.
 #include "exercises/09_processing/fill_hole.h"
 
 #include <algorithm>

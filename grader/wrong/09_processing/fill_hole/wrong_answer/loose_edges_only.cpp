@@ -1,4 +1,5 @@
 // Looks for loose edges, and not for borders that meet.
+// Hint: You fill a hole whose border comes to a vertex twice.
 #include "exercises/09_processing/fill_hole.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Gives all new triangles the same number.
+// Hint: You give new faces the same number.
 #include "exercises/09_processing/fill_hole.h"
 
 #include <algorithm>

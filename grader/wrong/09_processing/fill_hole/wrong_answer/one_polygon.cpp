@@ -1,4 +1,5 @@
 // Closes the hole with one face that has as many sides as the hole.
+// Hint: You close the hole with one large face and not with triangles.
 #include "exercises/09_processing/fill_hole.h"
 
 #include <algorithm>

@@ -1,4 +1,6 @@
 // Makes the two new half-edges of a triangle each other's opposites.
+// Hint: Your new triangles do not meet: the two half-edges of an edge lie in
+// the same one.
 #include "exercises/09_processing/fill_hole.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Does not join the first triangle and the last one.
+// Hint: Your first new triangle and your last one do not meet.
 #include "exercises/09_processing/fill_hole.h"
 
 #include <algorithm>

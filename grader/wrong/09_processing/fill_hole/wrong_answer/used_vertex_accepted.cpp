@@ -1,4 +1,5 @@
 // Does not ask whether the new vertex is in use.
+// Hint: You accept a half-edge or a new vertex that the contract refuses.
 #include "exercises/09_processing/fill_hole.h"
 
 #include <algorithm>

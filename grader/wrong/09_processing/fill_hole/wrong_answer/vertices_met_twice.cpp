@@ -1,4 +1,5 @@
 // Does not ask whether the loop comes to a vertex twice.
+// Hint: You fill a hole whose border comes to a vertex twice.
 #include "exercises/09_processing/fill_hole.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Refuses where an end has three edges only, though the flip is possible on the border.
+// Hint: You refuse edges that may be flipped.
 #include "exercises/09_processing/flip_edge.h"
 
 #include <string>

@@ -1,4 +1,6 @@
 // Changes the two half-edges of the edge and not those round it.
+// Hint: You change next at the edge itself, but not at the half-edges round
+// it.
 #include "exercises/09_processing/flip_edge.h"
 
 #include <string>

@@ -1,4 +1,5 @@
 // The face of i and the one across change their numbers.
+// Hint: The faces on the two sides of your edge have changed their numbers.
 #include "exercises/09_processing/flip_edge.h"
 
 #include <string>

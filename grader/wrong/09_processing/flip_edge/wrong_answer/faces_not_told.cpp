@@ -1,4 +1,6 @@
 // Leaves the two half-edges that change sides with their old face.
+// Hint: You leave half-edges that are on the other side now with their old
+// face.
 #include "exercises/09_processing/flip_edge.h"
 
 #include <string>

@@ -1,4 +1,5 @@
 // Flips between faces of any size.
+// Hint: You do not always refuse an edge that has not a triangle on each side.
 #include "exercises/09_processing/flip_edge.h"
 
 #include <string>

@@ -1,4 +1,6 @@
 // Looks for an edge from c to d only within the faces beside.
+// Hint: You do not always refuse where the flipped edge would join a vertex
+// with itself, or two that an edge joins already.
 #include "exercises/09_processing/flip_edge.h"
 
 #include <string>

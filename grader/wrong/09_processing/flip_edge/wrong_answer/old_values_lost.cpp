@@ -1,4 +1,6 @@
 // Reads from the table what it has just written there.
+// Hint: You leave half-edges that are on the other side now with their old
+// face.
 #include "exercises/09_processing/flip_edge.h"
 
 #include <string>

@@ -1,4 +1,5 @@
 // Looks at the face of i, not at the one across.
+// Hint: You do not always refuse an edge that has not a triangle on each side.
 #include "exercises/09_processing/flip_edge.h"
 
 #include <string>

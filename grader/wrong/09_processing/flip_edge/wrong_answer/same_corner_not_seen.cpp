@@ -1,4 +1,6 @@
 // Does not ask whether the two corners are one vertex.
+// Hint: You do not always refuse where the flipped edge would join a vertex
+// with itself, or two that an edge joins already.
 #include "exercises/09_processing/flip_edge.h"
 
 #include <string>

@@ -1,4 +1,5 @@
 // The edge leaves the vertices that it left before.
+// Hint: Your edge still leaves the vertices that it left before.
 #include "exercises/09_processing/flip_edge.h"
 
 #include <string>

@@ -1,4 +1,5 @@
 // Mixes up the two new ends.
+// Hint: You mix up the two new ends of the edge.
 #include "exercises/09_processing/flip_edge.h"
 
 #include <string>

@@ -1,4 +1,5 @@
 // Turns the edge clockwise: i runs from c to d.
+// Hint: You turn the edge the wrong way round.
 #include "exercises/09_processing/flip_edge.h"
 
 #include <string>

@@ -1,4 +1,6 @@
 // Refuses with an exception of another type.
+// Hint: You do not refuse a mesh that has no face with the exception that the
+// contract names: something else comes out.
 #include "exercises/09_processing/hausdorff.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Tries very many points of each triangle.
+// Hint: You try out points of each triangle, which takes far too long.
 #include "exercises/09_processing/hausdorff.h"
 
 #include <algorithm>

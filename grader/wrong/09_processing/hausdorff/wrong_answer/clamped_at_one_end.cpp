@@ -1,4 +1,5 @@
 // Stops at one end of the segment only.
+// Hint: You measure to points on the line of an edge that lie beyond its ends.
 #include "exercises/09_processing/hausdorff.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Clamps the barycentric coordinates and takes that for the nearest point.
+// Hint: You find a point of the triangle, but not always the nearest one.
 #include "exercises/09_processing/hausdorff.h"
 
 #include <algorithm>

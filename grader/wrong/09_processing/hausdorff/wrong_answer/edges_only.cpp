@@ -1,4 +1,5 @@
 // Forgets the inside of the triangle.
+// Hint: You never find the nearest point inside a triangle.
 #include "exercises/09_processing/hausdorff.h"
 
 #include <algorithm>

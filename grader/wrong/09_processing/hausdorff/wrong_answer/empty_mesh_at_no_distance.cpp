@@ -1,4 +1,5 @@
 // A mesh without a face is at distance 0.
+// Hint: You accept a mesh that has no face at all.
 #include "exercises/09_processing/hausdorff.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Divides by the length of a segment of equal ends.
+// Hint: You divide by 0 for a triangle without an area.
 #include "exercises/09_processing/hausdorff.h"
 
 #include <algorithm>

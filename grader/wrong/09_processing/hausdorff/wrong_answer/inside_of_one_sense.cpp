@@ -1,4 +1,6 @@
 // Tests the inside against the z axis, not the normal of the triangle.
+// Hint: Your test for the inside of a triangle depends on how the triangle
+// lies in space.
 #include "exercises/09_processing/hausdorff.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Takes the mean over the vertices, not the largest.
+// Hint: You take the mean of the distances, and not the largest.
 #include "exercises/09_processing/hausdorff.h"
 
 #include <algorithm>

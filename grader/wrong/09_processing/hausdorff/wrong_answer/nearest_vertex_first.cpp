@@ -1,4 +1,6 @@
 // Looks only at the triangles of the nearest vertex.
+// Hint: You look only at triangles that have the nearest vertex; the nearest
+// triangle may be another.
 #include "exercises/09_processing/hausdorff.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // The normal of a triangle without an area has no length.
+// Hint: You divide by 0 for a triangle without an area.
 #include "exercises/09_processing/hausdorff.h"
 
 #include <algorithm>

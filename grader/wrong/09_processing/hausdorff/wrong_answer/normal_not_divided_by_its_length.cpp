@@ -1,4 +1,5 @@
 // Forgets to divide by the length of the normal.
+// Hint: Your distance to a plane grows with the size of the triangle in it.
 #include "exercises/09_processing/hausdorff.h"
 
 #include <algorithm>

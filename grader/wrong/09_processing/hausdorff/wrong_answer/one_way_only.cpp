@@ -1,4 +1,6 @@
 // Asks only how far a is from b.
+// Hint: You ask how far one mesh is from the other, but not the other way
+// round.
 #include "exercises/09_processing/hausdorff.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Points below a triangle are nearer than those on it.
+// Hint: You take points behind a triangle for nearer than they are.
 #include "exercises/09_processing/hausdorff.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Measures in single precision.
+// Hint: Your numbers are not as exact as double is.
 #include "exercises/09_processing/hausdorff.h"
 
 #include <algorithm>

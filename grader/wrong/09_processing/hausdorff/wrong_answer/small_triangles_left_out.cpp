@@ -1,4 +1,5 @@
 // Passes over triangles whose area is below a fixed number.
+// Hint: You pass over triangles because they are small.
 #include "exercises/09_processing/hausdorff.h"
 
 #include <algorithm>

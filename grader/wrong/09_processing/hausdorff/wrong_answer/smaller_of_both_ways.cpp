@@ -1,4 +1,5 @@
 // Takes the smaller of the two ways.
+// Hint: You take the smaller one of the two ways.
 #include "exercises/09_processing/hausdorff.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Returns the square of the distance.
+// Hint: You give the square of the distance.
 #include "exercises/09_processing/hausdorff.h"
 
 #include <algorithm>

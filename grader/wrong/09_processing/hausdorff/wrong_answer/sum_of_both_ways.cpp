@@ -1,4 +1,6 @@
 // Takes the mean of the two ways.
+// Hint: You mix the two ways into one number; the larger one alone was asked
+// for.
 #include "exercises/09_processing/hausdorff.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Asks about all vertices, also those that no face uses.
+// Hint: You also measure from vertices that no face uses.
 #include "exercises/09_processing/hausdorff.h"
 
 #include <algorithm>

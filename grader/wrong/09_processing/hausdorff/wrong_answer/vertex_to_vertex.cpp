@@ -1,4 +1,5 @@
 // Measures to the corners of a triangle only.
+// Hint: You measure to the corners of triangles only.
 #include "exercises/09_processing/hausdorff.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Asks whether there are vertices, where there must be faces.
+// Hint: You accept a mesh that has no face at all.
 #include "exercises/09_processing/hausdorff.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Measures to the lines along the edges, beyond the corners, too.
+// Hint: You measure to points on the line of an edge that lie beyond its ends.
 #include "exercises/09_processing/hausdorff.h"
 
 #include <algorithm>

@@ -1,4 +1,6 @@
 // Measures to the plane of the triangle, which goes on outside.
+// Hint: You measure to the plane of a triangle also where it goes on outside
+// the triangle.
 #include "exercises/09_processing/hausdorff.h"
 
 #include <algorithm>

@@ -1,4 +1,6 @@
 // Measures level 0 before it is known that there are positions.
+// Hint: You do not refuse as the contract says: something else comes out than
+// the exception that it names.
 #include "exercises/09_processing/lod_pyramid.h"
 
 #include <set>

@@ -1,4 +1,5 @@
 // Tries again as long as there are too few levels.
+// Hint: You wait for another level when the mesh does not get any smaller.
 #include "exercises/09_processing/lod_pyramid.h"
 
 #include <set>

@@ -1,4 +1,5 @@
 // Takes a quarter of the faces at each level.
+// Hint: You ask for fewer faces at each level than the contract says.
 #include "exercises/09_processing/lod_pyramid.h"
 
 #include <set>

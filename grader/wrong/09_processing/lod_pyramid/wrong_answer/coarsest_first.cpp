@@ -1,4 +1,5 @@
 // Returns the levels from the coarsest to the finest.
+// Hint: Your levels are in the wrong order.
 #include "exercises/09_processing/lod_pyramid.h"
 
 #include <algorithm>

@@ -1,4 +1,6 @@
 // Takes the ratio of the numbers of faces for the distance.
+// Hint: Your `from` is another ratio than that of the mean lengths of the
+// edges.
 #include "exercises/09_processing/lod_pyramid.h"
 
 #include <set>

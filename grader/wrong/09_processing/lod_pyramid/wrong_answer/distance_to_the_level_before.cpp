@@ -1,4 +1,6 @@
 // Compares the edges with those of the level before.
+// Hint: Your `from` is another ratio than that of the mean lengths of the
+// edges.
 #include "exercises/09_processing/lod_pyramid.h"
 
 #include <set>

@@ -1,4 +1,6 @@
 // Doubles the distance from level to level.
+// Hint: Your `from` is another ratio than that of the mean lengths of the
+// edges.
 #include "exercises/09_processing/lod_pyramid.h"
 
 #include <set>

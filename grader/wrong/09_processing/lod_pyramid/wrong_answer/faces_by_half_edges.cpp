@@ -1,4 +1,5 @@
 // Takes a third of the half-edges for the number of the faces.
+// Hint: You take some other number for the number of the faces.
 #include "exercises/09_processing/lod_pyramid.h"
 
 

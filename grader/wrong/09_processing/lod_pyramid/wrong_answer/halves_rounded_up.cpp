@@ -1,4 +1,5 @@
 // Rounds half of the faces up.
+// Hint: You round half of an odd number of faces the wrong way.
 #include "exercises/09_processing/lod_pyramid.h"
 
 #include <set>

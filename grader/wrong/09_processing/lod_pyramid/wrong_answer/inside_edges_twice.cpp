@@ -1,4 +1,5 @@
 // Adds up the edges of each face: those between two faces count twice.
+// Hint: You do not count each edge once where the mesh has a border.
 #include "exercises/09_processing/lod_pyramid.h"
 
 #include <set>

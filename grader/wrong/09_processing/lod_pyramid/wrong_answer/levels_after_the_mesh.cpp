@@ -1,4 +1,5 @@
 // Makes as many levels as asked for, and the mesh itself besides.
+// Hint: You make one level more than was asked for.
 #include "exercises/09_processing/lod_pyramid.h"
 
 #include <set>

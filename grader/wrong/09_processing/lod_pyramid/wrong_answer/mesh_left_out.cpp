@@ -1,4 +1,5 @@
 // Leaves the mesh itself out.
+// Hint: You leave out level 0, the mesh itself.
 #include "exercises/09_processing/lod_pyramid.h"
 
 #include <set>

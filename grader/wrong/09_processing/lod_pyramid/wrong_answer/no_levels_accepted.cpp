@@ -1,4 +1,6 @@
 // Returns a level even when none is asked for.
+// Hint: Look again at what the contract says of `levels` below 1, and of a
+// mesh without edges.
 #include "exercises/09_processing/lod_pyramid.h"
 
 #include <set>

@@ -1,4 +1,6 @@
 // Ends at the first level that has not come down to half.
+// Hint: You end the pyramid at a level that has fewer faces than the one
+// before, if not half as many.
 #include "exercises/09_processing/lod_pyramid.h"
 
 #include <set>

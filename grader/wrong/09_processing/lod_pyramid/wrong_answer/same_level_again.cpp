@@ -1,4 +1,5 @@
 // Goes on although a level has as many faces as the one before.
+// Hint: You add a level that has as many faces as the one before it.
 #include "exercises/09_processing/lod_pyramid.h"
 
 #include <set>

@@ -1,4 +1,5 @@
 // Begins with the smallest corner before it asks whether there is one.
+// Hint: You read a corner of a face that has none.
 #include "exercises/09_processing/report_defects.h"
 
 #include <algorithm>

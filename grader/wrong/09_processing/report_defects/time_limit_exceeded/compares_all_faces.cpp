@@ -1,4 +1,5 @@
 // Compares each face with all faces before it.
+// Hint: Your answers are right, but you go through all faces again and again.
 #include "exercises/09_processing/report_defects.h"
 
 #include <algorithm>

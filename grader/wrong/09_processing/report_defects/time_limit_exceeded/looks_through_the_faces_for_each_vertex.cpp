@@ -1,4 +1,5 @@
 // Looks through all faces for each vertex.
+// Hint: Your answers are right, but you go through all faces again and again.
 #include "exercises/09_processing/report_defects.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Asks edges with three faces for their orientation, too.
+// Hint: You also report edges with three faces or more as badly oriented.
 #include "exercises/09_processing/report_defects.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Takes an edge with three faces for border as well.
+// Hint: You take edges for border that have more than one face.
 #include "exercises/09_processing/report_defects.h"
 
 #include <algorithm>

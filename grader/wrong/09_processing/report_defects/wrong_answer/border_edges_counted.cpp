@@ -1,4 +1,5 @@
 // Counts border edges, not the pieces that they make.
+// Hint: You count border edges, and not the pieces that they make.
 #include "exercises/09_processing/report_defects.h"
 
 #include <algorithm>

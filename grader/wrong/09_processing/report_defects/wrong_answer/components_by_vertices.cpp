@@ -1,4 +1,5 @@
 // Joins faces that share a vertex only.
+// Hint: You join faces to one piece that share a vertex only.
 #include "exercises/09_processing/report_defects.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Counts isolated vertices as components.
+// Hint: You count vertices without a face as components.
 #include "exercises/09_processing/report_defects.h"
 
 #include <algorithm>

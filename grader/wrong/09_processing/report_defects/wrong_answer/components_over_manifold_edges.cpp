@@ -1,4 +1,5 @@
 // Does not step over edges with three faces.
+// Hint: You take the surface apart at edges with more than two faces.
 #include "exercises/09_processing/report_defects.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Reports degenerate faces that are there twice as duplicates, too.
+// Hint: You report degenerate faces as duplicates, too.
 #include "exercises/09_processing/report_defects.h"
 
 #include <algorithm>

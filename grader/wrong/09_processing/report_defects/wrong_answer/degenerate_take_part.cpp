@@ -1,4 +1,5 @@
 // Lets degenerate faces take part in edges and vertices.
+// Hint: You let degenerate faces count at edges and vertices.
 #include "exercises/09_processing/report_defects.h"
 
 #include <algorithm>

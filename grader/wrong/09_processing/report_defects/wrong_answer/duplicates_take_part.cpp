@@ -1,4 +1,5 @@
 // Lets duplicates take part in edges and vertices.
+// Hint: You let duplicates count at edges and vertices.
 #include "exercises/09_processing/report_defects.h"
 
 #include <algorithm>

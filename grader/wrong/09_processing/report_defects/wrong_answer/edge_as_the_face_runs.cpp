@@ -1,4 +1,5 @@
 // Names an edge in the direction of its first face.
+// Hint: You do not always name the smaller vertex of an edge first.
 #include "exercises/09_processing/report_defects.h"
 
 #include <algorithm>

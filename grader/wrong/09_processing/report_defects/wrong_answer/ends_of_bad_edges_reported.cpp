@@ -1,4 +1,5 @@
 // Reports the ends of a non-manifold edge as well.
+// Hint: You report a vertex only because it is the end of a non-manifold edge.
 #include "exercises/09_processing/report_defects.h"
 
 #include <algorithm>

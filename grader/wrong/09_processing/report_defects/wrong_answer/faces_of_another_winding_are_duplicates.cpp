@@ -1,4 +1,6 @@
 // Sorts the corners: the face behind counts as a duplicate.
+// Hint: You take faces for duplicates that have the same corners in another
+// cyclic order.
 #include "exercises/09_processing/report_defects.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Goes round a vertex over edges with two faces only.
+// Hint: Round a vertex you do not step over edges with more than two faces.
 #include "exercises/09_processing/report_defects.h"
 
 #include <algorithm>

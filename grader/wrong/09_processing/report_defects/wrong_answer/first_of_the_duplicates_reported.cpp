@@ -1,4 +1,5 @@
 // Reports all faces of a group of equal ones.
+// Hint: You report the first of several equal faces as a duplicate, too.
 #include "exercises/09_processing/report_defects.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Takes three faces at an edge for sound.
+// Hint: You do not report edges with three faces as non-manifold.
 #include "exercises/09_processing/report_defects.h"
 
 #include <algorithm>

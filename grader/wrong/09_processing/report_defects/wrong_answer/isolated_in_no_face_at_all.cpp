@@ -1,4 +1,6 @@
 // A vertex of a degenerate face only does not count as isolated.
+// Hint: You do not call a vertex isolated that only degenerate faces have for
+// a corner.
 #include "exercises/09_processing/report_defects.h"
 
 #include <algorithm>

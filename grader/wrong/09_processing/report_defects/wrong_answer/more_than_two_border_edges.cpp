@@ -1,4 +1,6 @@
 // A vertex with more than two border edges is taken for non-manifold.
+// Hint: You judge a vertex by its border edges, and not by whether its faces
+// are connected there.
 #include "exercises/09_processing/report_defects.h"
 
 #include <algorithm>

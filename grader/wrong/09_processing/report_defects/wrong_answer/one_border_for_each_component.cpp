@@ -1,4 +1,5 @@
 // Counts the components that have a border.
+// Hint: You count at most one piece of border for each piece of the surface.
 #include "exercises/09_processing/report_defects.h"
 
 #include <algorithm>

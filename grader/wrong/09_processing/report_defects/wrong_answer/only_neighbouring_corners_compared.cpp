@@ -1,4 +1,6 @@
 // Looks for a repeated vertex only at corners that follow each other.
+// Hint: You do not see that a face comes to a vertex twice when other corners
+// lie between.
 #include "exercises/09_processing/report_defects.h"
 
 #include <algorithm>

@@ -1,4 +1,6 @@
 // Takes two opposite directions for the bad ones.
+// Hint: You report edges as badly oriented whose two faces run along them in
+// opposite directions.
 #include "exercises/09_processing/report_defects.h"
 
 #include <algorithm>

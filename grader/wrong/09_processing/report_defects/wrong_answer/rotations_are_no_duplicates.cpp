@@ -1,4 +1,5 @@
 // Compares faces corner by corner, from the first one on.
+// Hint: You do not take faces for duplicates that begin with another corner.
 #include "exercises/09_processing/report_defects.h"
 
 #include <algorithm>

@@ -1,4 +1,6 @@
 // Looks for vertices with faces of two components.
+// Hint: You ask whether the faces of a vertex are connected somewhere; they
+// must be so at the vertex.
 #include "exercises/09_processing/report_defects.h"
 
 #include <algorithm>

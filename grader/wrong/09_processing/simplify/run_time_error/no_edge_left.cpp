@@ -1,4 +1,5 @@
 // Collapses without an edge when none is left.
+// Hint: You go on to collapse when nothing is left that may be collapsed.
 #include "exercises/09_processing/simplify.h"
 
 #include <algorithm>

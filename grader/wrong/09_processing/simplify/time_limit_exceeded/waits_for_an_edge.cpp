@@ -1,4 +1,6 @@
 // Goes on as long as there are too many faces, even when no edge may go.
+// Hint: You wait for the mesh to get smaller when nothing is left that may be
+// collapsed.
 #include "exercises/09_processing/simplify.h"
 
 #include <algorithm>

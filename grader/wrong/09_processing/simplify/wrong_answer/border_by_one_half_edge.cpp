@@ -1,4 +1,6 @@
 // Takes an end for a border vertex only if the half-edge at hand has no face.
+// Hint: Where just one end of an edge lies on the border, you do not always
+// keep that end.
 #include "exercises/09_processing/simplify.h"
 
 #include <algorithm>

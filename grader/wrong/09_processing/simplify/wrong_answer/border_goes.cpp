@@ -1,4 +1,6 @@
 // Pulls the border inwards.
+// Hint: Where just one end of an edge lies on the border, you do not always
+// keep that end.
 #include "exercises/09_processing/simplify.h"
 
 #include <algorithm>

@@ -1,4 +1,6 @@
 // Lets the smaller number stay, whichever end is on the border.
+// Hint: Where just one end of an edge lies on the border, you do not always
+// keep that end.
 #include "exercises/09_processing/simplify.h"
 
 #include <algorithm>

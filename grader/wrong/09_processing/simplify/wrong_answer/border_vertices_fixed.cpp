@@ -1,4 +1,6 @@
 // Never lets a vertex on the border go.
+// Hint: You do not collapse edges that have both ends on the border, though
+// they may be.
 #include "exercises/09_processing/simplify.h"
 
 #include <algorithm>

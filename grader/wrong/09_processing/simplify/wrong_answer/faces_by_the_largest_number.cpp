@@ -1,4 +1,5 @@
 // Takes the largest face number for the number of the faces.
+// Hint: You take some other number for the number of the faces.
 #include "exercises/09_processing/simplify.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Works out how many collapses it takes, two faces for each.
+// Hint: You stop too early: not each collapse takes away two faces.
 #include "exercises/09_processing/simplify.h"
 
 #include <algorithm>

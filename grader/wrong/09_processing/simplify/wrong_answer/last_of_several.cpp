@@ -1,4 +1,6 @@
 // Takes the last of several edges of the same length.
+// Hint: Of several edges that are equally short you do not take the one that
+// the contract puts first.
 #include "exercises/09_processing/simplify.h"
 
 #include <algorithm>

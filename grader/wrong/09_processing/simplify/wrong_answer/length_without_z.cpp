@@ -1,4 +1,6 @@
 // Measures edges in the plane.
+// Hint: You measure edges otherwise than the contract says, or do not begin
+// with the shortest one.
 #include "exercises/09_processing/simplify.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Takes fewer faces than none for none.
+// Hint: You accept a number of faces, or positions, that the contract refuses.
 #include "exercises/09_processing/simplify.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Does not ask whether each vertex has a position, when nothing is to be done.
+// Hint: You accept a number of faces, or positions, that the contract refuses.
 #include "exercises/09_processing/simplify.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Of two ends alike, the one with the smaller number goes.
+// Hint: Where either end could stay, you let the wrong one go.
 #include "exercises/09_processing/simplify.h"
 
 #include <algorithm>

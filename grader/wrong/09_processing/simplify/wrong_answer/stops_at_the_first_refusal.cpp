@@ -1,4 +1,6 @@
 // Chooses the shortest of all edges, and ends when it may not go.
+// Hint: You stop when the shortest edge of the mesh is refused; others might
+// be collapsed.
 #include "exercises/09_processing/simplify.h"
 
 #include <algorithm>

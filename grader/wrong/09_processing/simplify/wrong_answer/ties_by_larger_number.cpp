@@ -1,4 +1,6 @@
 // Compares the larger vertex numbers first.
+// Hint: Of several edges that are equally short you do not take the one that
+// the contract puts first.
 #include "exercises/09_processing/simplify.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Collapses without a pull when none is left.
+// Hint: You go on to collapse when nothing is left that may be collapsed.
 #include "exercises/09_processing/simplify_quadric.h"
 
 #include <array>

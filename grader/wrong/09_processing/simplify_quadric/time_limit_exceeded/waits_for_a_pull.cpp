@@ -1,4 +1,6 @@
 // Goes on as long as there are too many faces, even when no pull is allowed.
+// Hint: You wait for the mesh to get smaller when nothing is left that may be
+// collapsed.
 #include "exercises/09_processing/simplify_quadric.h"
 
 #include <array>

@@ -1,4 +1,5 @@
 // Pulls border vertices, too.
+// Hint: You let vertices on the border go.
 #include "exercises/09_processing/simplify_quadric.h"
 
 #include <array>

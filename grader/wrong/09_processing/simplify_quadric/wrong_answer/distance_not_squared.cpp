@@ -1,4 +1,5 @@
 // Adds up distances, not their squares.
+// Hint: You add up distances, and not their squares.
 #include "exercises/09_processing/simplify_quadric.h"
 
 #include <array>

@@ -1,4 +1,5 @@
 // Measures the error at the middle of the edge.
+// Hint: You measure the error somewhere else than where the vertex goes.
 #include "exercises/09_processing/simplify_quadric.h"
 
 #include <array>

@@ -1,4 +1,5 @@
 // Lets a triangle become one without area.
+// Hint: You let a triangle become one without an area.
 #include "exercises/09_processing/simplify_quadric.h"
 
 #include <array>

@@ -1,4 +1,5 @@
 // Lets no vertex be pulled into one on the border.
+// Hint: You do not pull any vertex to the border, though that is allowed.
 #include "exercises/09_processing/simplify_quadric.h"
 
 #include <array>

@@ -1,4 +1,6 @@
 // Gives the planes to the vertex that goes.
+// Hint: After a collapse the vertex that stays lacks the planes of the one
+// that has gone.
 #include "exercises/09_processing/simplify_quadric.h"
 
 #include <array>

@@ -1,4 +1,5 @@
 // Asks the planes of the vertex that goes, not those of the one that stays.
+// Hint: You leave the planes of the vertex that stays out of the error.
 #include "exercises/09_processing/simplify_quadric.h"
 
 #include <array>

@@ -1,4 +1,6 @@
 // Forgets how far the plane is from the origin.
+// Hint: Your error of a plane changes when the mesh and its planes are moved
+// or turned together.
 #include "exercises/09_processing/simplify_quadric.h"
 
 #include <array>

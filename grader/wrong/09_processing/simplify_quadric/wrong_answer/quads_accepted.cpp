@@ -1,4 +1,5 @@
 // Does not ask whether all faces are triangles.
+// Hint: You accept faces that are no triangles.
 #include "exercises/09_processing/simplify_quadric.h"
 
 #include <array>

@@ -1,4 +1,6 @@
 // Adds up the coefficients above the diagonal only once.
+// Hint: Your error of a plane changes when the mesh and its planes are moved
+// or turned together.
 #include "exercises/09_processing/simplify_quadric.h"
 
 #include <array>

@@ -1,4 +1,6 @@
 // Takes the distance of the plane from the origin with the wrong sign.
+// Hint: Your error of a plane changes when the mesh and its planes are moved
+// or turned together.
 #include "exercises/09_processing/simplify_quadric.h"
 
 #include <array>

@@ -1,4 +1,6 @@
 // Only pulls the larger number into the smaller one.
+// Hint: You always pull towards the smaller number; the other direction may
+// have the smaller error.
 #include "exercises/09_processing/simplify_quadric.h"
 
 #include <array>

@@ -1,4 +1,6 @@
 // Chooses the best of all pulls, and ends when it is not allowed.
+// Hint: You stop when the pull with the least error is refused; others might
+// be allowed.
 #include "exercises/09_processing/simplify_quadric.h"
 
 #include <array>

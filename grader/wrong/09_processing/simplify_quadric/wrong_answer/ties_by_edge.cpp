@@ -1,4 +1,6 @@
 // Compares smaller and larger number, as if pulls were edges.
+// Hint: Of several pulls with the same error you do not take the one that the
+// contract puts first.
 #include "exercises/09_processing/simplify_quadric.h"
 
 #include <algorithm>

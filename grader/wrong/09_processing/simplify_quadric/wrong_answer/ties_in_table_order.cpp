@@ -1,4 +1,6 @@
 // Takes the first of several pulls of equal error in the table.
+// Hint: Of several pulls with the same error you do not take the one that the
+// contract puts first.
 #include "exercises/09_processing/simplify_quadric.h"
 
 #include <array>

@@ -1,4 +1,5 @@
 // Does not ask whether a triangle turns over.
+// Hint: You let triangles turn over.
 #include "exercises/09_processing/simplify_quadric.h"
 
 #include <array>

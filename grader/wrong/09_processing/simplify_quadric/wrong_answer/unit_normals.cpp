@@ -1,4 +1,5 @@
 // Makes the normals unit vectors: large triangles weigh as much as small ones.
+// Hint: You let small triangles weigh as much as large ones.
 #include "exercises/09_processing/simplify_quadric.h"
 
 #include <array>

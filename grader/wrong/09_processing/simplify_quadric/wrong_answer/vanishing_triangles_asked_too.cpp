@@ -1,4 +1,5 @@
 // Asks the triangles that vanish whether they turn over.
+// Hint: You refuse a pull because of triangles that vanish in it.
 #include "exercises/09_processing/simplify_quadric.h"
 
 #include <array>

@@ -1,4 +1,6 @@
 // Computes the planes anew from the triangles as they are after each collapse.
+// Hint: After a collapse you take the planes of the triangles that are there
+// then, and forget those from before.
 #include "exercises/09_processing/simplify_quadric.h"
 
 #include <array>

@@ -1,4 +1,5 @@
 // Starts the walk round vertex v at half-edge v.
+// Hint: You use the number of a vertex as that of a half-edge.
 #include "exercises/09_processing/smooth.h"
 
 std::vector<Vec3> smooth(const HalfEdgeTable& he,

@@ -1,4 +1,6 @@
 // Looks through the whole table for the neighbours of each vertex.
+// Hint: Your answers are right, but you look through the whole table again and
+// again.
 #include "exercises/09_processing/smooth.h"
 
 std::vector<Vec3> smooth(const HalfEdgeTable& he,

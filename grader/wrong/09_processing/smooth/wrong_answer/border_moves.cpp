@@ -1,4 +1,5 @@
 // Smooths the border, too: the mesh shrinks away from its rim.
+// Hint: You move vertices at the border; they should stay.
 #include "exercises/09_processing/smooth.h"
 
 std::vector<Vec3> smooth(const HalfEdgeTable& he,

@@ -1,4 +1,5 @@
 // Takes the mean of those neighbours only that may move themselves.
+// Hint: You leave neighbours that stay where they are out of the mean.
 #include "exercises/09_processing/smooth.h"
 
 std::vector<Vec3> smooth(const HalfEdgeTable& he,

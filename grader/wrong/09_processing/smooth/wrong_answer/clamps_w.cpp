@@ -1,4 +1,5 @@
 // Takes a w outside 0..1 for a mistake of the caller, and clamps it.
+// Hint: You do not use w as it is when it is below 0 or above 1.
 #include "exercises/09_processing/smooth.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Fixes the ends of edges with one face only; a dangling edge has none.
+// Hint: You move the ends of edges that have no face on either side.
 #include "exercises/09_processing/smooth.h"
 
 std::vector<Vec3> smooth(const HalfEdgeTable& he,

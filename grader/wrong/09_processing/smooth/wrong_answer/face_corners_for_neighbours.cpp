@@ -1,4 +1,6 @@
 // Takes all other corners of the faces at a vertex for its neighbours.
+// Hint: You take corners of the faces round a vertex for its neighbours; only
+// some of them share an edge with it.
 #include "exercises/09_processing/smooth.h"
 
 std::vector<Vec3> smooth(const HalfEdgeTable& he,

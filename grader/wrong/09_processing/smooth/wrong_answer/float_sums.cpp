@@ -1,4 +1,5 @@
 // Adds up in single precision.
+// Hint: Your numbers are not as exact as double is.
 #include "exercises/09_processing/smooth.h"
 
 #include <array>

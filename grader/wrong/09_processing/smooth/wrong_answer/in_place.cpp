@@ -1,4 +1,6 @@
 // Writes each vertex at once: later ones see moved neighbours.
+// Hint: You mix positions from before the step with those of vertices that
+// have moved already.
 #include "exercises/09_processing/smooth.h"
 
 std::vector<Vec3> smooth(const HalfEdgeTable& he,

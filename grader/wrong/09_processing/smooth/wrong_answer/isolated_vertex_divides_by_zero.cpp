@@ -1,4 +1,5 @@
 // Divides by the number of neighbours where there is none.
+// Hint: You divide by the number of neighbours where there is none.
 #include "exercises/09_processing/smooth.h"
 
 std::vector<Vec3> smooth(const HalfEdgeTable& he,

@@ -1,4 +1,5 @@
 // Counts the vertex itself among its neighbours.
+// Hint: You count the vertex among its own neighbours.
 #include "exercises/09_processing/smooth.h"
 
 std::vector<Vec3> smooth(const HalfEdgeTable& he,

@@ -1,4 +1,5 @@
 // Makes no step when their number is negative, and does not refuse it.
+// Hint: You accept a number of steps that the contract refuses.
 #include "exercises/09_processing/smooth.h"
 
 std::vector<Vec3> smooth(const HalfEdgeTable& he,

@@ -1,4 +1,5 @@
 // Walks round the vertex from one half-edge: that is one fan only.
+// Hint: You see one fan of a vertex only; it may have several.
 #include "exercises/09_processing/smooth.h"
 
 std::vector<Vec3> smooth(const HalfEdgeTable& he,

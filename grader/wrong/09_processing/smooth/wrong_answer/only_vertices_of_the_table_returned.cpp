@@ -1,4 +1,5 @@
 // Leaves out the positions after the last vertex of the table.
+// Hint: You leave out positions of vertices that are not in the table.
 #include "exercises/09_processing/smooth.h"
 
 std::vector<Vec3> smooth(const HalfEdgeTable& he,

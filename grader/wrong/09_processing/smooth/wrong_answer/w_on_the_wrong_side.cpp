@@ -1,4 +1,6 @@
 // w is how much of the old place is kept.
+// Hint: You use w for how much stays of the old position; it says how far to
+// go to the mean.
 #include "exercises/09_processing/smooth.h"
 
 std::vector<Vec3> smooth(const HalfEdgeTable& he,

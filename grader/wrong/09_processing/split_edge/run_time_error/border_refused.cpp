@@ -1,4 +1,5 @@
 // Refuses edges on the border.
+// Hint: You refuse edges at the border, which may be split.
 #include "exercises/09_processing/split_edge.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Takes two missing corners for one vertex.
+// Hint: You refuse edges without any face, which may be split.
 #include "exercises/09_processing/split_edge.h"
 
 #include <algorithm>

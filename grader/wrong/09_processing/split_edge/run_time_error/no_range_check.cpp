@@ -1,4 +1,6 @@
 // Does not ask whether i is a half-edge.
+// Hint: You do not refuse all numbers as the contract says: something else
+// comes out than the exception that it names.
 #include "exercises/09_processing/split_edge.h"
 
 #include <algorithm>

@@ -1,4 +1,6 @@
 // Asks the whole table about each face number in turn.
+// Hint: Your answers are right, but you look through the whole table again and
+// again.
 #include "exercises/09_processing/split_edge.h"
 
 #include <string>

@@ -1,4 +1,5 @@
 // Asks for a triangle along i only.
+// Hint: You do not refuse an edge that may not be split.
 #include "exercises/09_processing/split_edge.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Takes the number of the faces for a free number.
+// Hint: You give a new face a number that another face has already.
 #include "exercises/09_processing/split_edge.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Gives the table back where a face is no triangle.
+// Hint: You do not refuse an edge that may not be split.
 #include "exercises/09_processing/split_edge.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Cuts a face of any size, from the new vertex to the one after the next.
+// Hint: You do not refuse an edge that may not be split.
 #include "exercises/09_processing/split_edge.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Does not ask whether the new vertex is negative.
+// Hint: You accept a number for the new vertex that the contract refuses.
 #include "exercises/09_processing/split_edge.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Does not make the new half-edges each other's opposites.
+// Hint: The two half-edges of a new edge are not each other's opposites.
 #include "exercises/09_processing/split_edge.h"
 
 #include <algorithm>

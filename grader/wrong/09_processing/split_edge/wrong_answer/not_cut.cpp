@@ -1,4 +1,6 @@
 // Puts the vertex into the edge and cuts no face.
+// Hint: You put the new vertex into the edge, but leave the triangles beside
+// it whole.
 #include "exercises/09_processing/split_edge.h"
 
 #include <algorithm>

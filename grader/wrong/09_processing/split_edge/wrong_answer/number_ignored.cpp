@@ -1,4 +1,5 @@
 // Numbers the new vertex itself, one above the largest.
+// Hint: You do not use the number that you were given for the new vertex.
 #include "exercises/09_processing/split_edge.h"
 
 #include <algorithm>

@@ -1,4 +1,6 @@
 // Does not tell the half-edge that led to the opposite one.
+// Hint: Where there is no face along the edge, nothing leads to one of your
+// half-edges.
 #include "exercises/09_processing/split_edge.h"
 
 #include <algorithm>

@@ -1,4 +1,6 @@
 // Looks for the half-edge before the opposite one in the table as it is changed.
+// Hint: The half-edge that led to the opposite one does not lead on rightly
+// any more.
 #include "exercises/09_processing/split_edge.h"
 
 #include <algorithm>

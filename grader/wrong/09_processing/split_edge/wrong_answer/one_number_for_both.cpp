@@ -1,4 +1,5 @@
 // Gives both new faces the same number.
+// Hint: You give new faces the same number.
 #include "exercises/09_processing/split_edge.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Leaves the opposite half-edge at its old start.
+// Hint: Your opposite half-edge still leaves the vertex that it left before.
 #include "exercises/09_processing/split_edge.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Cuts the triangle along i, not the one across.
+// Hint: You cut the triangle on one side of the edge only.
 #include "exercises/09_processing/split_edge.h"
 
 #include <algorithm>

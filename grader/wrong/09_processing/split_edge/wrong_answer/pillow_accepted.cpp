@@ -1,4 +1,5 @@
 // Joins the new vertex twice with the same one.
+// Hint: You do not refuse an edge that may not be split.
 #include "exercises/09_processing/split_edge.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Along i, the half at b keeps the number.
+// Hint: You give the new number to the wrong half of a triangle.
 #include "exercises/09_processing/split_edge.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // Takes every convex corner for an ear, whatever lies in its triangle.
-// Hint: You are right about polygons that are convex, not about those with a reflex
-// corner.
+// Hint: You are right about polygons that are convex, not about those with a
+// reflex corner.
 #include "exercises/08_making/triangulate.h"
 
 #include <string>

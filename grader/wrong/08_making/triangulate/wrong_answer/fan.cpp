@@ -1,6 +1,6 @@
 // Cuts a fan from corner 0, as if the polygon were convex.
-// Hint: You are right about polygons that are convex, not about those with a reflex
-// corner.
+// Hint: You are right about polygons that are convex, not about those with a
+// reflex corner.
 #include "exercises/08_making/triangulate.h"
 
 #include <string>

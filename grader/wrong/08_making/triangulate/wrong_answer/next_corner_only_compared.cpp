@@ -1,6 +1,6 @@
 // Compares only the next corner with the triangle.
-// Hint: You are right about polygons that are convex, not about those with a reflex
-// corner.
+// Hint: You are right about polygons that are convex, not about those with a
+// reflex corner.
 #include "exercises/08_making/triangulate.h"
 
 #include <string>

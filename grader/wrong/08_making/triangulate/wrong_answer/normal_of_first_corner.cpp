@@ -1,6 +1,6 @@
 // Takes the normal of the first three corners, which may be a reflex corner.
-// Hint: You are right about polygons that are convex, not about those with a reflex
-// corner.
+// Hint: You are right about polygons that are convex, not about those with a
+// reflex corner.
 #include "exercises/08_making/triangulate.h"
 
 #include <string>

@@ -1,7 +1,7 @@
 // Looks only for corners in the triangle, not at the turn: the last ear may be
 // turned over.
-// Hint: You are right about polygons that are convex, not about those with a reflex
-// corner.
+// Hint: You are right about polygons that are convex, not about those with a
+// reflex corner.
 #include "exercises/08_making/triangulate.h"
 
 #include <string>

@@ -1,4 +1,5 @@
 // Computes in float.
+// Hint: You lose digits: a number of yours is not kept in double precision.
 #include "exercises/06_geometry/area_vector.h"
 
 Vec3 area_vector(Vec3 a, Vec3 b, Vec3 c) {

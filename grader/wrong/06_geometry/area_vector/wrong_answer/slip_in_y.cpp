@@ -1,4 +1,5 @@
 // The product by hand, with the sign of y wrong.
+// Hint: One coordinate of your vector has the wrong sign.
 #include "exercises/06_geometry/area_vector.h"
 
 Vec3 area_vector(Vec3 a, Vec3 b, Vec3 c) {

@@ -1,4 +1,5 @@
 // Takes a small area for none.
+// Hint: You take a small triangle for one without an area.
 #include "exercises/06_geometry/area_vector.h"
 
 Vec3 area_vector(Vec3 a, Vec3 b, Vec3 c) {

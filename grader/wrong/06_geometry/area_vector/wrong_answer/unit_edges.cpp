@@ -1,4 +1,5 @@
 // Brings the edges to unit length first; two equal corners give NaN.
+// Hint: You divide by a length that is 0 where corners coincide.
 #include "exercises/06_geometry/area_vector.h"
 
 Vec3 area_vector(Vec3 a, Vec3 b, Vec3 c) {

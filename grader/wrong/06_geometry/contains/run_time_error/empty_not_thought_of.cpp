@@ -1,4 +1,5 @@
 // Takes the last corner before it asks whether there is one.
+// Hint: You read a corner before you ask whether there is one.
 #include "exercises/06_geometry/contains.h"
 
 bool contains(std::span<const Vec2> polygon, Vec2 p) {

@@ -1,4 +1,5 @@
 // Adds up the angles under which the sides are seen, without their signs.
+// Hint: You add up parts without their signs.
 #include "exercises/06_geometry/contains.h"
 
 #include <cmath>

@@ -1,4 +1,5 @@
 // Counts the sides on both sides of p.
+// Hint: You count sides on both sides of the point.
 #include "exercises/06_geometry/contains.h"
 
 bool contains(std::span<const Vec2> polygon, Vec2 p) {

@@ -1,4 +1,6 @@
 // Counts a side only when both of its ends are to the right.
+// Hint: You miss sides that slant past the point, with one end on the left of
+// it and one on the right.
 #include "exercises/06_geometry/contains.h"
 
 bool contains(std::span<const Vec2> polygon, Vec2 p) {

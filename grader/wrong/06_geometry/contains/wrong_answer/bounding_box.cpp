@@ -1,4 +1,5 @@
 // Asks whether p is in the box round the polygon.
+// Hint: You ask for the box round the polygon; not all of it is inside.
 #include "exercises/06_geometry/contains.h"
 
 #include <algorithm>

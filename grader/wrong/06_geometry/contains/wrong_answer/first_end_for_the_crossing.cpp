@@ -1,4 +1,5 @@
 // Compares with the first end of the side, not with the point where it is crossed.
+// Hint: You ask where a side begins, and not where it passes the point.
 #include "exercises/06_geometry/contains.h"
 
 bool contains(std::span<const Vec2> polygon, Vec2 p) {

@@ -1,4 +1,5 @@
 // Cuts the polygon into triangles at corner 0, and asks whether p is in any.
+// Hint: You cut the polygon into triangles that may lie outside of it.
 #include "exercises/06_geometry/contains.h"
 
 namespace {

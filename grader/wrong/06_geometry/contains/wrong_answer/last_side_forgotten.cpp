@@ -1,4 +1,5 @@
 // Forgets the side from the last corner to the first.
+// Hint: You forget the side from the last corner to the first.
 #include "exercises/06_geometry/contains.h"
 
 bool contains(std::span<const Vec2> polygon, Vec2 p) {

@@ -1,4 +1,6 @@
 // Counts the first end of a side but not the second, whichever is the lower.
+// Hint: You go wrong where the way from the point passes through a corner of
+// the polygon.
 #include "exercises/06_geometry/contains.h"
 
 bool contains(std::span<const Vec2> polygon, Vec2 p) {

@@ -1,4 +1,6 @@
 // Moves p up a little, so that it is at the height of no corner: by too much, or too little.
+// Hint: You ask for another point than the one that is given: what is little
+// in one polygon is much in another.
 #include "exercises/06_geometry/contains.h"
 
 bool contains(std::span<const Vec2> polygon, Vec2 p) {

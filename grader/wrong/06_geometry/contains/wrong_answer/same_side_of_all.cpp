@@ -1,4 +1,5 @@
 // Asks whether p is on the same side of all sides: right for convex polygons.
+// Hint: You are right for convex polygons only.
 #include "exercises/06_geometry/contains.h"
 
 bool contains(std::span<const Vec2> polygon, Vec2 p) {

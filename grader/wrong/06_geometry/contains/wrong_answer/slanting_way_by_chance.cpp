@@ -1,4 +1,5 @@
 // Walks to a point far away at an angle that hits no corner, as if: it stops too near.
+// Hint: You rely on a fixed distance as far away; a polygon may be larger.
 #include "exercises/06_geometry/contains.h"
 
 bool contains(std::span<const Vec2> polygon, Vec2 p) {

@@ -1,4 +1,5 @@
 // Takes only a positive winding number for inside: right for counter-clockwise polygons.
+// Hint: You are right for polygons that go round in one direction only.
 #include "exercises/06_geometry/contains.h"
 
 #include <cmath>

@@ -1,4 +1,6 @@
 // Throws where the contract asks for std::nullopt.
+// Hint: You throw where there is no normal; the contract has another answer
+// for that.
 #include "exercises/06_geometry/face_normal.h"
 
 #include <algorithm>

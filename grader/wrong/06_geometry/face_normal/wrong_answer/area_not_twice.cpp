@@ -1,4 +1,5 @@
 // Compares the area itself, not twice the area.
+// Hint: You refuse thin triangles that have a normal.
 #include "exercises/06_geometry/face_normal.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Forgets to bring it to unit length.
+// Hint: Your normal has the right direction, but its length is not 1.
 #include "exercises/06_geometry/face_normal.h"
 
 #include <algorithm>

@@ -1,4 +1,6 @@
 // Less, where the contract says at most: 0 < 0 is false.
+// Hint: You give a normal where corners are at one place: look at what you
+// compare there.
 #include "exercises/06_geometry/face_normal.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Divides by the squared length.
+// Hint: Your normal has the right direction, but its length is not 1.
 #include "exercises/06_geometry/face_normal.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Takes only an area of exactly zero for degenerate.
+// Hint: You take for a direction what is nothing but rounding.
 #include "exercises/06_geometry/face_normal.h"
 
 std::optional<Vec3> face_normal(Vec3 a, Vec3 b, Vec3 c) {

@@ -1,4 +1,6 @@
 // Takes the side a, b for the longest.
+// Hint: You give a normal to triangles that are too thin to have one, at least
+// for some orders of their corners.
 #include "exercises/06_geometry/face_normal.h"
 
 std::optional<Vec3> face_normal(Vec3 a, Vec3 b, Vec3 c) {

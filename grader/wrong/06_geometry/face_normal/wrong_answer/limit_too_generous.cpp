@@ -1,4 +1,5 @@
 // A limit of 1e-6, not 1e-12.
+// Hint: You refuse thin triangles that have a normal.
 #include "exercises/06_geometry/face_normal.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Divides by zero where the triangle is degenerate.
+// Hint: You give a vector also where there is no normal.
 #include "exercises/06_geometry/face_normal.h"
 
 std::optional<Vec3> face_normal(Vec3 a, Vec3 b, Vec3 c) {

@@ -1,4 +1,5 @@
 // Edges that meet at b, in the wrong order: it points to the back.
+// Hint: Your normal points to the other side.
 #include "exercises/06_geometry/face_normal.h"
 
 #include <algorithm>

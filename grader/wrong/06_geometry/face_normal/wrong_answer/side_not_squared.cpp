@@ -1,4 +1,5 @@
 // Compares an area with a length.
+// Hint: You let the unit of length decide whether there is a normal.
 #include "exercises/06_geometry/face_normal.h"
 
 #include <algorithm>

@@ -1,4 +1,6 @@
 // Forgets the third side when it looks for the longest.
+// Hint: You give a normal to triangles that are too thin to have one, at least
+// for some orders of their corners.
 #include "exercises/06_geometry/face_normal.h"
 
 #include <algorithm>

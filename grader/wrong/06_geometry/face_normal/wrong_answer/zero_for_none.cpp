@@ -1,4 +1,5 @@
 // Returns the zero vector, not std::nullopt.
+// Hint: You give a vector also where there is no normal.
 #include "exercises/06_geometry/face_normal.h"
 
 #include <algorithm>

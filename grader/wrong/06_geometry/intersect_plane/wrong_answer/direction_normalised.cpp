@@ -1,4 +1,5 @@
 // Counts t in units of length.
+// Hint: You count t in units of length and not in lengths of u.
 #include "exercises/06_geometry/intersect_plane.h"
 
 #include <cmath>

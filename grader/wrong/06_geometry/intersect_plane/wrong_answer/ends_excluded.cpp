@@ -1,4 +1,5 @@
 // Leaves out the ends.
+// Hint: You leave out an end where it lies in the plane.
 #include "exercises/06_geometry/intersect_plane.h"
 
 #include <cmath>

@@ -1,4 +1,6 @@
 // Treats rays and segments as lines.
+// Hint: You give a point also where t is outside of the extent, be it by a
+// little.
 #include "exercises/06_geometry/intersect_plane.h"
 
 #include <cmath>

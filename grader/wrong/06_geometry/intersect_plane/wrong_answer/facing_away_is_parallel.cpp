@@ -1,4 +1,6 @@
 // Forgets the absolute value.
+// Hint: You take a line for parallel where it goes against the direction of
+// the normal.
 #include "exercises/06_geometry/intersect_plane.h"
 
 #include <cmath>

@@ -1,4 +1,5 @@
 // Meets only planes whose front it sees.
+// Hint: You let a ray meet the plane from one side only.
 #include "exercises/06_geometry/intersect_plane.h"
 
 #include <cmath>

@@ -1,4 +1,6 @@
 // Gives t = 0 for a line that lies in the plane.
+// Hint: You find a point also where the line is parallel to the plane, up to
+// rounding.
 #include "exercises/06_geometry/intersect_plane.h"
 
 #include <cmath>

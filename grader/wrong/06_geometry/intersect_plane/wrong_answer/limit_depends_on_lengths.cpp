@@ -1,4 +1,6 @@
 // Compares the scalar product with 1e-12: it is no cosine.
+// Hint: You find a point also where the line is parallel to the plane, up to
+// rounding.
 #include "exercises/06_geometry/intersect_plane.h"
 
 #include <cmath>

@@ -1,4 +1,6 @@
 // Counts small angles as parallel.
+// Hint: You take lines for parallel to the plane that meet it at a small
+// angle.
 #include "exercises/06_geometry/intersect_plane.h"
 
 #include <cmath>

@@ -1,4 +1,6 @@
 // Counts as parallel what is exactly so only.
+// Hint: You find a point also where the line is parallel to the plane, up to
+// rounding.
 #include "exercises/06_geometry/intersect_plane.h"
 
 #include <cmath>

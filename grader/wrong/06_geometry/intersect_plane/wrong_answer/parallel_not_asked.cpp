@@ -1,4 +1,6 @@
 // Divides by what may be 0.
+// Hint: You find a point also where the line is parallel to the plane, up to
+// rounding.
 #include "exercises/06_geometry/intersect_plane.h"
 
 #include <cmath>

@@ -1,4 +1,6 @@
 // Compares t with the length of the segment.
+// Hint: You have another extent for a segment than the contract: look at both
+// of its ends.
 #include "exercises/06_geometry/intersect_plane.h"
 
 #include <cmath>

@@ -1,4 +1,5 @@
 // Asks whether both ends of a segment are on one side; forgets the ends that are in the plane.
+// Hint: You leave out an end where it lies in the plane.
 #include "exercises/06_geometry/intersect_plane.h"
 
 #include <cmath>

@@ -1,4 +1,5 @@
 // Goes from the plane to the line.
+// Hint: Your t has the wrong sign.
 #include "exercises/06_geometry/intersect_plane.h"
 
 #include <cmath>

@@ -1,4 +1,5 @@
 // Takes the sphere for a ball: a start inside is a point of it.
+// Hint: You list a t for rays and segments where they do not meet the surface.
 #include "exercises/06_geometry/intersect_sphere.h"
 
 #include <cmath>

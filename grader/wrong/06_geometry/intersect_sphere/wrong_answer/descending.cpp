@@ -1,4 +1,5 @@
 // Gives the larger t first.
+// Hint: Your t are the right ones, but not in ascending order.
 #include "exercises/06_geometry/intersect_sphere.h"
 
 #include <cmath>

@@ -1,4 +1,5 @@
 // Compares the discriminant with 1e-9, whatever the lengths are.
+// Hint: You let the unit of length decide which lines touch the sphere.
 #include "exercises/06_geometry/intersect_sphere.h"
 
 #include <cmath>

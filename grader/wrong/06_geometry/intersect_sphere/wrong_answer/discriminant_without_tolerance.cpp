@@ -1,4 +1,5 @@
 // Solves the quadratic equation, and takes only a discriminant of exactly 0 for touching.
+// Hint: You decide otherwise than the contract which lines touch the sphere.
 #include "exercises/06_geometry/intersect_sphere.h"
 
 #include <cmath>

@@ -1,4 +1,5 @@
 // Leaves out the ends.
+// Hint: You leave out an end where it lies on the surface.
 #include "exercises/06_geometry/intersect_sphere.h"
 
 #include <cmath>

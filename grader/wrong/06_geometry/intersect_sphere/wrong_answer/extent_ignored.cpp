@@ -1,4 +1,5 @@
 // Treats rays and segments as lines.
+// Hint: You list a t for rays and segments where they do not meet the surface.
 #include "exercises/06_geometry/intersect_sphere.h"
 
 #include <cmath>

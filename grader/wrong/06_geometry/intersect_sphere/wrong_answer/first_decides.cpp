@@ -1,4 +1,6 @@
 // Looks at the first point only to see whether the sphere is hit.
+// Hint: Where the first point of the line is outside of the extent, you lose
+// the second one, too.
 #include "exercises/06_geometry/intersect_sphere.h"
 
 #include <cmath>

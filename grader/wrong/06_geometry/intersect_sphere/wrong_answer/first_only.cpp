@@ -1,4 +1,5 @@
 // Gives the first point of the line only.
+// Hint: You list one point where the line meets the surface in two.
 #include "exercises/06_geometry/intersect_sphere.h"
 
 #include <cmath>

@@ -1,4 +1,5 @@
 // Adds a length to t.
+// Hint: You mix up lengths and lengths of u in your t.
 #include "exercises/06_geometry/intersect_sphere.h"
 
 #include <cmath>

@@ -1,4 +1,5 @@
 // Forgets the square of the radius: right for radius 1.
+// Hint: You are right for spheres of radius 1 only.
 #include "exercises/06_geometry/intersect_sphere.h"
 
 #include <cmath>

@@ -1,4 +1,5 @@
 // Lets a ray begin before its beginning.
+// Hint: You list a t for rays where they do not meet the surface.
 #include "exercises/06_geometry/intersect_sphere.h"
 
 #include <cmath>

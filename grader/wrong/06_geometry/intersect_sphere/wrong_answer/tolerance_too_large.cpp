@@ -1,4 +1,5 @@
 // Takes a line that passes through for one that touches.
+// Hint: You take lines for touching that pass by the sphere, or go through it.
 #include "exercises/06_geometry/intersect_sphere.h"
 
 #include <cmath>

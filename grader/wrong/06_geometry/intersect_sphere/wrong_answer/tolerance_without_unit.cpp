@@ -1,4 +1,5 @@
 // Has a tolerance that does not grow with the radius.
+// Hint: You decide otherwise than the contract which lines touch the sphere.
 #include "exercises/06_geometry/intersect_sphere.h"
 
 #include <cmath>

@@ -1,4 +1,5 @@
 // Takes only d equal to r for touching.
+// Hint: You decide otherwise than the contract which lines touch the sphere.
 #include "exercises/06_geometry/intersect_sphere.h"
 
 #include <cmath>

@@ -1,4 +1,5 @@
 // Takes u for a unit vector.
+// Hint: You are right only where u has length 1.
 #include "exercises/06_geometry/intersect_sphere.h"
 
 #include <cmath>

@@ -1,4 +1,5 @@
 // Throws another exception than the contract names.
+// Hint: You throw another exception than the contract names.
 #include "exercises/06_geometry/planarity_error.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Takes the greatest distance above, not below.
+// Hint: You are right for quads, but not for polygons with more corners.
 #include "exercises/06_geometry/planarity_error.h"
 
 #include <algorithm>

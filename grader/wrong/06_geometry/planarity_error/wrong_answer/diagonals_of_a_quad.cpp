@@ -1,4 +1,5 @@
 // Knows quads only: of more corners it takes the first four.
+// Hint: You are right for quads, but not for polygons with more corners.
 #include "exercises/06_geometry/planarity_error.h"
 
 #include <algorithm>

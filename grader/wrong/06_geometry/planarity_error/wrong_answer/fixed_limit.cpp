@@ -1,4 +1,5 @@
 // Compares the area with a fixed number.
+// Hint: You let the unit of length decide whether there is a normal.
 #include "exercises/06_geometry/planarity_error.h"
 
 #include <algorithm>

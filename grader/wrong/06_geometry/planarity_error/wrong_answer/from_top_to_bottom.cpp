@@ -1,4 +1,6 @@
 // The distance from the highest to the lowest corner.
+// Hint: You give the distance from the highest to the lowest corner, not that
+// from the mean plane.
 #include "exercises/06_geometry/planarity_error.h"
 
 #include <algorithm>

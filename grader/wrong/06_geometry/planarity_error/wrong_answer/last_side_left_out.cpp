@@ -1,4 +1,6 @@
 // The side from the last corner to the first is not in the sum.
+// Hint: Your limit for a polygon without a normal is another one than the
+// contract's.
 #include "exercises/06_geometry/planarity_error.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Divides by zero where there is no normal.
+// Hint: You give a distance also where the polygon has no normal.
 #include "exercises/06_geometry/planarity_error.h"
 
 #include <algorithm>

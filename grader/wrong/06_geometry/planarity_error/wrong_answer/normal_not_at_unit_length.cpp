@@ -1,4 +1,5 @@
 // Forgets to bring the normal to unit length.
+// Hint: Your distance depends on how long the normal is.
 #include "exercises/06_geometry/planarity_error.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Takes an area for a direction that is nothing but rounding.
+// Hint: You give a distance also where the polygon has no normal.
 #include "exercises/06_geometry/planarity_error.h"
 
 #include <algorithm>

@@ -1,4 +1,6 @@
 // The plane of the first three corners: another one from each corner.
+// Hint: You let the first three corners decide: from another corner on, the
+// same polygon has another result.
 #include "exercises/06_geometry/planarity_error.h"
 
 #include <algorithm>

@@ -1,4 +1,6 @@
 // Divides by the size of the polygon.
+// Hint: You divide by the size of the polygon; the contract asks for a
+// distance.
 #include "exercises/06_geometry/planarity_error.h"
 
 #include <algorithm>

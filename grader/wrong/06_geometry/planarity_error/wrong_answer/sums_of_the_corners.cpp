@@ -1,4 +1,6 @@
 // Sums up the corners themselves: digits get lost far from the origin.
+// Hint: You lose digits: numbers cancel out that grow with the distance from
+// the origin.
 #include "exercises/06_geometry/planarity_error.h"
 
 #include <algorithm>

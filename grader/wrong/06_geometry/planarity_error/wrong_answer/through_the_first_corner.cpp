@@ -1,4 +1,5 @@
 // The plane goes through the first corner, not through the mean.
+// Hint: You put the plane through a corner and not through the mean of all.
 #include "exercises/06_geometry/planarity_error.h"
 
 #include <algorithm>

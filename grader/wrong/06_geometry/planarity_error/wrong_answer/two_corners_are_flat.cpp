@@ -1,4 +1,5 @@
 // Takes a polygon of two corners for one on a line.
+// Hint: You do not refuse all polygons with too few corners.
 #include "exercises/06_geometry/planarity_error.h"
 
 #include <algorithm>

@@ -1,4 +1,6 @@
 // The sum of the wedges for a normal: right for quads only.
+// Hint: You have another normal than the contract for polygons that are not
+// planar and have more than four sides.
 #include "exercises/06_geometry/planarity_error.h"
 
 #include <algorithm>

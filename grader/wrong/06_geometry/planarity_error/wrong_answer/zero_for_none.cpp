@@ -1,4 +1,5 @@
 // 0 where there is no normal: it must be flat, then.
+// Hint: You give a distance also where the polygon has no normal.
 #include "exercises/06_geometry/planarity_error.h"
 
 #include <algorithm>

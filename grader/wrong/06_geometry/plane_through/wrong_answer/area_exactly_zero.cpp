@@ -1,4 +1,5 @@
 // Refuses an area of exactly 0 only: rounding leaves some.
+// Hint: You give a plane also where the three points do not fix one.
 #include "exercises/06_geometry/plane_through.h"
 
 #include <algorithm>

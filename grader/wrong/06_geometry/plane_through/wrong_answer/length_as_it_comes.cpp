@@ -1,4 +1,5 @@
 // Leaves the normal as long as it comes.
+// Hint: Your normal has the right direction, but its length is not 1.
 #include "exercises/06_geometry/plane_through.h"
 
 #include <algorithm>

@@ -1,4 +1,6 @@
 // Compares with the first side, which may be the shortest.
+// Hint: You give a plane to points that are too near to a line, at least for
+// some orders of them.
 #include "exercises/06_geometry/plane_through.h"
 
 #include <algorithm>

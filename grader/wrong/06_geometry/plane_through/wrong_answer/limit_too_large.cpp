@@ -1,4 +1,5 @@
 // Takes thin triangles for none.
+// Hint: You refuse thin triangles that have a plane.
 #include "exercises/06_geometry/plane_through.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Gives the middle of the triangle for its point.
+// Hint: The point of your plane is not one of the three.
 #include "exercises/06_geometry/plane_through.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Does not ask whether there is a plane.
+// Hint: You give a plane also where the three points do not fix one.
 #include "exercises/06_geometry/plane_through.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Turns the normal so that z is positive.
+// Hint: You turn normals that point down.
 #include "exercises/06_geometry/plane_through.h"
 
 #include <algorithm>

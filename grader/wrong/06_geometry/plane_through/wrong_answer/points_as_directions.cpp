@@ -1,4 +1,6 @@
 // Multiplies points instead of sides: right for planes with p at the origin.
+// Hint: You take points for directions: your normal depends on where the
+// origin is.
 #include "exercises/06_geometry/plane_through.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Takes the product of the slide, which points to the other side.
+// Hint: Your normal points to the other side.
 #include "exercises/06_geometry/plane_through.h"
 
 #include <algorithm>

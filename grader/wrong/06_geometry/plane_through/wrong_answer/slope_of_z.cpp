@@ -1,4 +1,5 @@
 // Solves for z = ax + by + c: no plane may be upright.
+// Hint: You are wrong about planes that stand upright.
 #include "exercises/06_geometry/plane_through.h"
 
 #include <algorithm>

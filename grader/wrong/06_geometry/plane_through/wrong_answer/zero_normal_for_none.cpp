@@ -1,4 +1,5 @@
 // Gives a plane without a normal where there is none.
+// Hint: You give a plane also where the three points do not fix one.
 #include "exercises/06_geometry/plane_through.h"
 
 #include <algorithm>

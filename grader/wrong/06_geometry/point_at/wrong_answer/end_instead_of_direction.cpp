@@ -1,4 +1,5 @@
 // Takes u for the other end.
+// Hint: You take u for the other end; it is a direction.
 #include "exercises/06_geometry/point_at.h"
 
 std::optional<Vec3> point_at(const Line& line, double t) {

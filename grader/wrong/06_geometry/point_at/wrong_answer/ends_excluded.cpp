@@ -1,4 +1,5 @@
 // Leaves out the ends.
+// Hint: You leave out an end of a ray or a segment.
 #include "exercises/06_geometry/point_at.h"
 
 std::optional<Vec3> point_at(const Line& line, double t) {

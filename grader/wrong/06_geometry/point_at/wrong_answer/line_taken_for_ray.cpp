@@ -1,4 +1,5 @@
 // Lets a line begin at t = 0.
+// Hint: You leave out points of a line, which has no ends.
 #include "exercises/06_geometry/point_at.h"
 
 std::optional<Vec3> point_at(const Line& line, double t) {

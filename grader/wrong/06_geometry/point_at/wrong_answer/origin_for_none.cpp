@@ -1,4 +1,6 @@
 // Gives the origin where there is no point.
+// Hint: You give a point also where t is outside of the extent, be it by a
+// little.
 #include "exercises/06_geometry/point_at.h"
 
 std::optional<Vec3> point_at(const Line& line, double t) {

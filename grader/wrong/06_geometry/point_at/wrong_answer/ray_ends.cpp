@@ -1,4 +1,6 @@
 // Lets a ray end at t = 1, too.
+// Hint: You have another extent for a ray than the contract: look where it
+// begins, and whether it ends.
 #include "exercises/06_geometry/point_at.h"
 
 std::optional<Vec3> point_at(const Line& line, double t) {

@@ -1,4 +1,6 @@
 // Asks about t < 0 for a ray only.
+// Hint: You have another extent for a segment than the contract: look at both
+// of its ends.
 #include "exercises/06_geometry/point_at.h"
 
 std::optional<Vec3> point_at(const Line& line, double t) {

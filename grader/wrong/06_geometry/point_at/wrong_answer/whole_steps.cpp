@@ -1,4 +1,5 @@
 // Keeps t in an int.
+// Hint: You lose what t has behind the point: you go whole steps only.
 #include "exercises/06_geometry/point_at.h"
 
 std::optional<Vec3> point_at(const Line& line, double t) {

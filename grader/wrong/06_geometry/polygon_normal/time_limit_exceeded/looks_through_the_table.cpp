@@ -1,4 +1,6 @@
 // Looks for the sides of the face in the whole table.
+// Hint: Your answers are right, but you look through the whole table: what you
+// need is a few steps away.
 #include "exercises/06_geometry/polygon_normal.h"
 
 Vec3 polygon_normal(const HalfEdgeTable& he, std::span<const Vec3> positions,

@@ -1,5 +1,7 @@
 // The area vector of the whole face: right for quads, but not for bent faces
 // with more sides.
+// Hint: You have another normal than the contract for bent faces with more
+// than four sides.
 #include "exercises/06_geometry/polygon_normal.h"
 
 Vec3 polygon_normal(const HalfEdgeTable& he, std::span<const Vec3> positions,

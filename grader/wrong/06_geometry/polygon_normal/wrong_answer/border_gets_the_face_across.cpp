@@ -1,4 +1,5 @@
 // A border half-edge gets the normal of the face on the other side.
+// Hint: Look again at what the contract says of a half-edge that has no face.
 #include "exercises/06_geometry/polygon_normal.h"
 
 Vec3 polygon_normal(const HalfEdgeTable& he, std::span<const Vec3> positions,

@@ -1,4 +1,5 @@
 // Given a border half-edge, it walks round the border, however long that is.
+// Hint: Look again at what the contract says of a half-edge that has no face.
 #include "exercises/06_geometry/polygon_normal.h"
 
 Vec3 polygon_normal(const HalfEdgeTable& he, std::span<const Vec3> positions,

@@ -1,4 +1,6 @@
 // Adds the triangles round the first corner, not the wedges.
+// Hint: You have another normal than the contract for bent faces with more
+// than four sides.
 #include "exercises/06_geometry/polygon_normal.h"
 
 Vec3 polygon_normal(const HalfEdgeTable& he, std::span<const Vec3> positions,

@@ -1,4 +1,5 @@
 // The normal of one wedge: a bent face has another one for each half-edge.
+// Hint: You count one corner of the face only.
 #include "exercises/06_geometry/polygon_normal.h"
 
 Vec3 polygon_normal(const HalfEdgeTable& he, std::span<const Vec3> positions,

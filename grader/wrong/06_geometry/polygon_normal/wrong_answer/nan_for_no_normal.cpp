@@ -1,4 +1,5 @@
 // Divides by zero where the face has no normal.
+// Hint: You decide otherwise than the contract which faces have no normal.
 #include "exercises/06_geometry/polygon_normal.h"
 
 Vec3 polygon_normal(const HalfEdgeTable& he, std::span<const Vec3> positions,

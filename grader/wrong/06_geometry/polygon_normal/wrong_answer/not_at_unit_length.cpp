@@ -1,4 +1,5 @@
 // Returns the sum as it is.
+// Hint: Your normal has the right direction, but its length is not 1.
 #include "exercises/06_geometry/polygon_normal.h"
 
 Vec3 polygon_normal(const HalfEdgeTable& he, std::span<const Vec3> positions,

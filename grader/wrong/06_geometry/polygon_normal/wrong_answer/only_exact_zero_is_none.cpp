@@ -1,4 +1,5 @@
 // Takes a sum for a direction that is nothing but rounding.
+// Hint: You decide otherwise than the contract which faces have no normal.
 #include "exercises/06_geometry/polygon_normal.h"
 
 Vec3 polygon_normal(const HalfEdgeTable& he, std::span<const Vec3> positions,

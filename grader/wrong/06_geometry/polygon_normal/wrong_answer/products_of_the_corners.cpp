@@ -1,5 +1,7 @@
 // Right in exact numbers: the products of positions lose all digits far from
 // the origin.
+// Hint: You lose digits: numbers cancel out that grow with the distance from
+// the origin.
 #include "exercises/06_geometry/polygon_normal.h"
 
 Vec3 polygon_normal(const HalfEdgeTable& he, std::span<const Vec3> positions,

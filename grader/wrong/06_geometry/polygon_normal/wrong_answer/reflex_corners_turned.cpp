@@ -1,4 +1,6 @@
 // Turns each wedge to the side of the first one: reflex corners count for it.
+// Hint: You turn all corners to one side; a reflex corner counts against the
+// others.
 #include "exercises/06_geometry/polygon_normal.h"
 
 Vec3 polygon_normal(const HalfEdgeTable& he, std::span<const Vec3> positions,

@@ -1,4 +1,5 @@
 // A second i in the loop hides the first: it ends after one wedge.
+// Hint: You count one corner of the face only.
 #include "exercises/06_geometry/polygon_normal.h"
 
 Vec3 polygon_normal(const HalfEdgeTable& he, std::span<const Vec3> positions,

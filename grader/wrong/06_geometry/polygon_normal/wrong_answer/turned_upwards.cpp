@@ -1,4 +1,5 @@
 // Turns every normal so that z is not negative.
+// Hint: You turn normals that point down.
 #include "exercises/06_geometry/polygon_normal.h"
 
 Vec3 polygon_normal(const HalfEdgeTable& he, std::span<const Vec3> positions,

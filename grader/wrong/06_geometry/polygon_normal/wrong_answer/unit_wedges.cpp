@@ -1,4 +1,5 @@
 // Brings each wedge to unit length before it is added.
+// Hint: You let every corner count the same, however long its sides are.
 #include "exercises/06_geometry/polygon_normal.h"
 
 Vec3 polygon_normal(const HalfEdgeTable& he, std::span<const Vec3> positions,

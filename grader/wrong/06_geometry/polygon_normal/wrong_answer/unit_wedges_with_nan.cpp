@@ -1,4 +1,5 @@
 // Unit wedges, and a corner on a straight side makes NaN of the sum.
+// Hint: You divide by a length that is 0 at a corner on a straight side.
 #include "exercises/06_geometry/polygon_normal.h"
 
 Vec3 polygon_normal(const HalfEdgeTable& he, std::span<const Vec3> positions,

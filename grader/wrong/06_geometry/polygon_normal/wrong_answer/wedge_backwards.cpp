@@ -1,4 +1,5 @@
 // The sides of the wedge in the wrong order: the normals point inwards.
+// Hint: Your normal points to the other side.
 #include "exercises/06_geometry/polygon_normal.h"
 
 Vec3 polygon_normal(const HalfEdgeTable& he, std::span<const Vec3> positions,

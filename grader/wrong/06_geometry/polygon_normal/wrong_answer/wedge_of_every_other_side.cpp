@@ -1,4 +1,5 @@
 // Takes two steps at once.
+// Hint: You leave out corners of the face.
 #include "exercises/06_geometry/polygon_normal.h"
 
 Vec3 polygon_normal(const HalfEdgeTable& he, std::span<const Vec3> positions,

@@ -1,4 +1,6 @@
 // Takes the absolute value as a whole number.
+// Hint: You compare with the tolerance something that is not quite the
+// distance.
 #include "exercises/06_geometry/side_of_plane.h"
 
 #include <cmath>

@@ -1,4 +1,6 @@
 // Gets the cosine of an angle, not a distance.
+// Hint: You let the distance from the plane's point decide what counts as on
+// the plane.
 #include "exercises/06_geometry/side_of_plane.h"
 
 #include <cmath>

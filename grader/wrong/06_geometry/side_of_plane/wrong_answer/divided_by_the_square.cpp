@@ -1,4 +1,5 @@
 // Divides by the square of the length.
+// Hint: Your distance depends on how long the normal is.
 #include "exercises/06_geometry/side_of_plane.h"
 
 #include <cmath>

@@ -1,4 +1,6 @@
 // Goes from the point to the plane: the sides change places.
+// Hint: You get points on the negative side wrong: look at the sign of your
+// distance there.
 #include "exercises/06_geometry/side_of_plane.h"
 
 #include <cmath>

@@ -1,4 +1,6 @@
 // Forgets the absolute value: all that is below is on the plane.
+// Hint: You get points on the negative side wrong: look at the sign of your
+// distance there.
 #include "exercises/06_geometry/side_of_plane.h"
 
 #include <cmath>

@@ -1,4 +1,5 @@
 // Asks for a distance of exactly 0.
+// Hint: You put points on one side that are within the tolerance of the plane.
 #include "exercises/06_geometry/side_of_plane.h"
 
 #include <cmath>

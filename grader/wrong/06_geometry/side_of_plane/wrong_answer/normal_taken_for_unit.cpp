@@ -1,4 +1,5 @@
 // Takes the normal for a unit vector.
+// Hint: Your distance depends on how long the normal is.
 #include "exercises/06_geometry/side_of_plane.h"
 
 #include <cmath>

@@ -1,4 +1,5 @@
 // Takes every plane for one through the origin.
+// Hint: You take every plane for one through the origin.
 #include "exercises/06_geometry/side_of_plane.h"
 
 #include <cmath>

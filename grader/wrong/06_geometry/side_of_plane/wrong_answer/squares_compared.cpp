@@ -1,4 +1,6 @@
 // Compares the square of the distance.
+// Hint: You compare with the tolerance something that is not quite the
+// distance.
 #include "exercises/06_geometry/side_of_plane.h"
 
 #include <cmath>

@@ -1,4 +1,6 @@
 // Takes the tolerance relative to the distance from the point of the plane.
+// Hint: You let the distance from the plane's point decide what counts as on
+// the plane.
 #include "exercises/06_geometry/side_of_plane.h"
 
 #include <cmath>

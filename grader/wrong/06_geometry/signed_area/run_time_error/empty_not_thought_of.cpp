@@ -1,4 +1,5 @@
 // Takes the first corner before it asks whether there is one.
+// Hint: You read a corner before you ask whether there is one.
 #include "exercises/06_geometry/signed_area.h"
 
 double signed_area(std::span<const Vec2> polygon) {

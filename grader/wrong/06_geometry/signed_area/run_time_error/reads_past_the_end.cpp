@@ -1,4 +1,5 @@
 // Reads a corner after the last.
+// Hint: You read a corner after the last one.
 #include "exercises/06_geometry/signed_area.h"
 
 double signed_area(std::span<const Vec2> polygon) {

@@ -1,4 +1,6 @@
 // Cuts off one corner after the other, with a copy of all the others.
+// Hint: Your answers are right, but you go through the whole list again and
+// again.
 #include "exercises/06_geometry/signed_area.h"
 
 #include <vector>

@@ -1,4 +1,5 @@
 // Forgets the half.
+// Hint: Your area is twice as large as that of the polygon.
 #include "exercises/06_geometry/signed_area.h"
 
 double signed_area(std::span<const Vec2> polygon) {

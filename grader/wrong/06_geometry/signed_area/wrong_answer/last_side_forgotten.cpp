@@ -1,4 +1,5 @@
 // Forgets the side from the last corner to the first: right when corner 0 is the origin.
+// Hint: You forget the side from the last corner to the first.
 #include "exercises/06_geometry/signed_area.h"
 
 double signed_area(std::span<const Vec2> polygon) {

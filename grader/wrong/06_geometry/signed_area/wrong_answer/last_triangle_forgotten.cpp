@@ -1,4 +1,5 @@
 // Stops one corner too early.
+// Hint: You stop one corner too early.
 #include "exercises/06_geometry/signed_area.h"
 
 double signed_area(std::span<const Vec2> polygon) {

@@ -1,4 +1,6 @@
 // Multiplies the coordinates themselves: far from the origin nothing is left of the area.
+// Hint: You lose digits: numbers cancel out that grow with the distance from
+// the origin.
 #include "exercises/06_geometry/signed_area.h"
 
 double signed_area(std::span<const Vec2> polygon) {

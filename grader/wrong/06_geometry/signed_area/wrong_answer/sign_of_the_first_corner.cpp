@@ -1,4 +1,6 @@
 // Takes the sign from the first corner, which may be a reflex one.
+// Hint: You get the sign wrong where a polygon is not convex: one corner does
+// not tell it.
 #include "exercises/06_geometry/signed_area.h"
 
 double signed_area(std::span<const Vec2> polygon) {

@@ -1,4 +1,5 @@
 // Counts clockwise as positive.
+// Hint: You count clockwise as positive.
 #include "exercises/06_geometry/signed_area.h"
 
 double signed_area(std::span<const Vec2> polygon) {

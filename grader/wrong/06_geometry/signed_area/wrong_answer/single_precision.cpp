@@ -1,4 +1,5 @@
 // Adds up in single precision.
+// Hint: You lose digits: a number of yours is not kept in double precision.
 #include "exercises/06_geometry/signed_area.h"
 
 double signed_area(std::span<const Vec2> polygon) {

@@ -1,4 +1,5 @@
 // Adds the areas of the triangles without their signs.
+// Hint: You add up parts without their signs.
 #include "exercises/06_geometry/signed_area.h"
 
 double signed_area(std::span<const Vec2> polygon) {

@@ -1,4 +1,5 @@
 // Gives the absolute value.
+// Hint: You leave out the sign.
 #include "exercises/06_geometry/signed_area.h"
 
 double signed_area(std::span<const Vec2> polygon) {

@@ -1,4 +1,5 @@
 // Reads the first corner of a mesh that has none.
+// Hint: You read a corner of a mesh that may have none.
 #include "exercises/06_geometry/signed_volume.h"
 
 double signed_volume(const IndexedMesh& mesh) {

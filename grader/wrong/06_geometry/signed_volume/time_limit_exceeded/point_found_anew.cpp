@@ -1,4 +1,6 @@
 // Looks for the same far corner again for every face: quadratic.
+// Hint: Your answers are right, but you go through the whole list again and
+// again.
 #include "exercises/06_geometry/signed_volume.h"
 
 double signed_volume(const IndexedMesh& mesh) {

@@ -1,4 +1,5 @@
 // Divides by 3, not by 6.
+// Hint: Your volume is twice as large as that of the mesh.
 #include "exercises/06_geometry/signed_volume.h"
 
 double signed_volume(const IndexedMesh& mesh) {

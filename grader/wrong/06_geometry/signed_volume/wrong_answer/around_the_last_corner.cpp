@@ -1,5 +1,7 @@
 // Cuts faces into the triangles round their last corner: bent ones get another
 // volume.
+// Hint: You cut faces with more than three corners otherwise than the
+// contract: bent ones get another volume.
 #include "exercises/06_geometry/signed_volume.h"
 
 double signed_volume(const IndexedMesh& mesh) {

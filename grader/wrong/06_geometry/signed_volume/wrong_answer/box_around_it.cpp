@@ -1,4 +1,5 @@
 // The volume of the box around the mesh.
+// Hint: You give the volume of the box round the mesh.
 #include "exercises/06_geometry/signed_volume.h"
 
 #include <algorithm>

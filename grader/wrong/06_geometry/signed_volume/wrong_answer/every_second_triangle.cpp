@@ -1,4 +1,5 @@
 // Takes the triangles of a face as if they shared no side.
+// Hint: You leave out parts of faces that are not triangles.
 #include "exercises/06_geometry/signed_volume.h"
 
 double signed_volume(const IndexedMesh& mesh) {

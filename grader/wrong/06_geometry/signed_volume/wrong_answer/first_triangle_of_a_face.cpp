@@ -1,4 +1,5 @@
 // Takes the first three corners for the face.
+// Hint: You take the first three corners for the whole face.
 #include "exercises/06_geometry/signed_volume.h"
 
 double signed_volume(const IndexedMesh& mesh) {

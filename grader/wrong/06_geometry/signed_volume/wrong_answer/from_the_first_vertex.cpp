@@ -1,4 +1,5 @@
 // Measures from vertex 0, which need not be part of the mesh.
+// Hint: You use the place of a vertex that may be no part of any face.
 #include "exercises/06_geometry/signed_volume.h"
 
 double signed_volume(const IndexedMesh& mesh) {

@@ -1,4 +1,6 @@
 // Right in exact numbers: pyramids over the origin lose all digits far from it.
+// Hint: You lose digits: numbers cancel out that grow with the distance from
+// the origin.
 #include "exercises/06_geometry/signed_volume.h"
 
 double signed_volume(const IndexedMesh& mesh) {

@@ -1,4 +1,5 @@
 // The absolute value: it cannot be inside out.
+// Hint: You leave out the sign.
 #include "exercises/06_geometry/signed_volume.h"
 
 double signed_volume(const IndexedMesh& mesh) {

@@ -1,4 +1,5 @@
 // Adds the pyramids without their signs.
+// Hint: You add up parts without their signs.
 #include "exercises/06_geometry/signed_volume.h"
 
 double signed_volume(const IndexedMesh& mesh) {

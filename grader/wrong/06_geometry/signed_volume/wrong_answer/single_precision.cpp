@@ -1,4 +1,5 @@
 // Adds up in float.
+// Hint: You lose digits: a number of yours is not kept in double precision.
 #include "exercises/06_geometry/signed_volume.h"
 
 double signed_volume(const IndexedMesh& mesh) {

@@ -1,4 +1,5 @@
 // Forgets to divide.
+// Hint: Your volume is several times as large as that of the mesh.
 #include "exercises/06_geometry/signed_volume.h"
 
 double signed_volume(const IndexedMesh& mesh) {

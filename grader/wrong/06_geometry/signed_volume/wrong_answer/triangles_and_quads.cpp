@@ -1,4 +1,5 @@
 // Knows faces of up to four corners.
+// Hint: You know triangles and quads only; faces may have more sides.
 #include "exercises/06_geometry/signed_volume.h"
 
 double signed_volume(const IndexedMesh& mesh) {

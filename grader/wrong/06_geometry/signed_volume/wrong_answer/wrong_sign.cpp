@@ -1,4 +1,5 @@
 // The corners in the wrong order.
+// Hint: Your volume has the wrong sign.
 #include "exercises/06_geometry/signed_volume.h"
 
 double signed_volume(const IndexedMesh& mesh) {

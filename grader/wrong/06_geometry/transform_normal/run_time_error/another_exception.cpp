@@ -1,4 +1,5 @@
 // Throws another exception than the contract names.
+// Hint: You throw another exception than the contract names.
 #include "exercises/06_geometry/transform_normal.h"
 
 Vec3 transform_normal(const Mat3& m, Vec3 n) {

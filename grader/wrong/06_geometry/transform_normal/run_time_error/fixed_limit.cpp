@@ -1,4 +1,5 @@
 // Compares the determinant with a fixed number: small matrices are refused.
+// Hint: You let the size of the numbers decide whether a matrix is singular.
 #include "exercises/06_geometry/transform_normal.h"
 
 Vec3 transform_normal(const Mat3& m, Vec3 n) {

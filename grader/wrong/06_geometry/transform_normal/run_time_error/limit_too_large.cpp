@@ -1,4 +1,5 @@
 // Compares with 1e-6, not with 1e-12.
+// Hint: You refuse matrices that the contract does not count as singular.
 #include "exercises/06_geometry/transform_normal.h"
 
 Vec3 transform_normal(const Mat3& m, Vec3 n) {

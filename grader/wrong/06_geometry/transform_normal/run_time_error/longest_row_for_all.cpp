@@ -1,5 +1,6 @@
 // Compares with the cube of the longest row: matrices with a short row are
 // refused.
+// Hint: You refuse matrices that the contract does not count as singular.
 #include "exercises/06_geometry/transform_normal.h"
 
 Vec3 transform_normal(const Mat3& m, Vec3 n) {

@@ -1,4 +1,5 @@
 // Takes a negative determinant for a singular matrix.
+// Hint: You refuse matrices with a negative determinant.
 #include "exercises/06_geometry/transform_normal.h"
 
 Vec3 transform_normal(const Mat3& m, Vec3 n) {

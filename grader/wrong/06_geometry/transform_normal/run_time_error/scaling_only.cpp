@@ -1,4 +1,6 @@
 // Looks at the diagonal only: a quarter turn seems singular to it.
+// Hint: You are right for matrices that stretch along the axes, but not for
+// others.
 #include "exercises/06_geometry/transform_normal.h"
 
 Vec3 transform_normal(const Mat3& m, Vec3 n) {

@@ -1,4 +1,5 @@
 // Multiplies by the matrix itself.
+// Hint: You transform the normal as if it were a point: right for turns only.
 #include "exercises/06_geometry/transform_normal.h"
 
 Vec3 transform_normal(const Mat3& m, Vec3 n) {

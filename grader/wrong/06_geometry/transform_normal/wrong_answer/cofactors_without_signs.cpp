@@ -1,4 +1,5 @@
 // Minors instead of cofactors: every second sign is wrong.
+// Hint: Some entries of your matrix have the wrong sign.
 #include "exercises/06_geometry/transform_normal.h"
 
 Vec3 transform_normal(const Mat3& m, Vec3 n) {

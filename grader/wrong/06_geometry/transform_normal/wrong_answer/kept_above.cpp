@@ -1,5 +1,7 @@
 // Turns the result to the side on which n was, also where the map turns it
 // over.
+// Hint: You keep the normal on the side where it was before; a matrix may turn
+// it over.
 #include "exercises/06_geometry/transform_normal.h"
 
 Vec3 transform_normal(const Mat3& m, Vec3 n) {

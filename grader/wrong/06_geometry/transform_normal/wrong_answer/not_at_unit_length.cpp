@@ -1,4 +1,5 @@
 // Forgets to bring it to unit length.
+// Hint: Your normal has the right direction, but its length is not 1.
 #include "exercises/06_geometry/transform_normal.h"
 
 Vec3 transform_normal(const Mat3& m, Vec3 n) {

@@ -1,4 +1,5 @@
 // The cofactors without the determinant: a mirror turns the normal round.
+// Hint: You turn the normal to the other side where the matrix mirrors.
 #include "exercises/06_geometry/transform_normal.h"
 
 Vec3 transform_normal(const Mat3& m, Vec3 n) {

@@ -1,4 +1,5 @@
 // Takes the value of an optional that has none.
+// Hint: You use the normal of a triangle that has none.
 #include "exercises/06_geometry/vertex_normal.h"
 
 namespace {

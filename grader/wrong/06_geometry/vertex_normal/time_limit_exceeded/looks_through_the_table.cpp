@@ -1,4 +1,6 @@
 // Looks for the faces of the vertex in the whole table.
+// Hint: You look through the whole table: the half-edges of a vertex are a few
+// steps apart.
 #include "exercises/06_geometry/vertex_normal.h"
 
 namespace {

@@ -1,4 +1,6 @@
 // By angle: an arc sine, which takes an obtuse angle for an acute one.
+// Hint: You are right for angles up to 90 degrees; you take an obtuse one for
+// another.
 #include "exercises/06_geometry/vertex_normal.h"
 
 namespace {

@@ -1,5 +1,7 @@
 // By angle: between two sides head to tail, which is 180 degrees less the
 // angle.
+// Hint: Where the angle is to count, you take another number for it than the
+// angle at the vertex.
 #include "exercises/06_geometry/vertex_normal.h"
 
 namespace {

@@ -1,5 +1,6 @@
 // By angle: an arc cosine, and rounding makes the cosine of a needle more than
 // 1.
+// Hint: Your angle of a very thin triangle is no number: rounding can do that.
 #include "exercises/06_geometry/vertex_normal.h"
 
 namespace {

@@ -1,4 +1,6 @@
 // By area: area vectors that are weighted by the area once more.
+// Hint: Where the area is to count, you take another number for it than the
+// area.
 #include "exercises/06_geometry/vertex_normal.h"
 
 namespace {

@@ -1,4 +1,6 @@
 // Counts the border as if it were a face.
+// Hint: Look again at what you do with a half-edge that has no face: you count
+// the border as if it were one.
 #include "exercises/06_geometry/vertex_normal.h"
 
 namespace {

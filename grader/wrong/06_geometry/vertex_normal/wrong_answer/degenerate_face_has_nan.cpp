@@ -1,4 +1,5 @@
 // Brings every face to unit length, also those without a normal.
+// Hint: You use the normal of a triangle that has none.
 #include "exercises/06_geometry/vertex_normal.h"
 
 namespace {

@@ -1,4 +1,5 @@
 // Divides by the sum of the weights: the mean, but not of unit length.
+// Hint: Your normal has the right direction, but its length is not 1.
 #include "exercises/06_geometry/vertex_normal.h"
 
 namespace {

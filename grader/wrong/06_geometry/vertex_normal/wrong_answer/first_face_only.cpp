@@ -1,4 +1,5 @@
 // The normal of one face.
+// Hint: Your normal is that of one face only.
 #include "exercises/06_geometry/vertex_normal.h"
 
 namespace {

@@ -1,4 +1,5 @@
 // Compares the sum with a fixed number: small meshes have no area.
+// Hint: You let the unit of length decide whether there is a normal.
 #include "exercises/06_geometry/vertex_normal.h"
 
 namespace {

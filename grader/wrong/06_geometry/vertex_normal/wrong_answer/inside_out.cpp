@@ -1,4 +1,5 @@
 // The other two vertices in the wrong order.
+// Hint: Your normal points to the other side.
 #include "exercises/06_geometry/vertex_normal.h"
 
 namespace {

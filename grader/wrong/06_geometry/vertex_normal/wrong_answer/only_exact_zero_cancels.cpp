@@ -1,4 +1,5 @@
 // Takes a sum for a direction that is nothing but rounding.
+// Hint: You take for a direction what is nothing but rounding.
 #include "exercises/06_geometry/vertex_normal.h"
 
 namespace {

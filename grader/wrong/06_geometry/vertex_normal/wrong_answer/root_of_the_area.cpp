@@ -1,4 +1,6 @@
 // By area: the root of it.
+// Hint: Where the area is to count, you take another number for it than the
+// area.
 #include "exercises/06_geometry/vertex_normal.h"
 
 namespace {

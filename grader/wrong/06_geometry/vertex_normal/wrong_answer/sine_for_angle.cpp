@@ -1,4 +1,6 @@
 // By angle: takes the sine of the angle.
+// Hint: Where the angle is to count, you take another number for it than the
+// angle at the vertex.
 #include "exercises/06_geometry/vertex_normal.h"
 
 namespace {

@@ -1,4 +1,5 @@
 // Ends the walk at the first gap.
+// Hint: You end the walk at the border, before you have met all triangles.
 #include "exercises/06_geometry/vertex_normal.h"
 
 namespace {

@@ -1,4 +1,6 @@
 // Uniform: counts by angle.
+// Hint: Where all triangles are to count the same, you let some count more
+// than others.
 #include "exercises/06_geometry/vertex_normal.h"
 
 namespace {

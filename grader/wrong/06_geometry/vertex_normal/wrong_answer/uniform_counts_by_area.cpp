@@ -1,4 +1,6 @@
 // Uniform: adds the area vectors, so each face counts by its area.
+// Hint: Where all triangles are to count the same, you let some count more
+// than others.
 #include "exercises/06_geometry/vertex_normal.h"
 
 namespace {

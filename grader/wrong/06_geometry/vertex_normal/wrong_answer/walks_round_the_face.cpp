@@ -1,4 +1,5 @@
 // Walks round the face, not round the vertex.
+// Hint: Your normal is that of one face only.
 #include "exercises/06_geometry/vertex_normal.h"
 
 namespace {

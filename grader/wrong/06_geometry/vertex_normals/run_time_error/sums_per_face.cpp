@@ -1,4 +1,5 @@
 // Has as many sums as faces, not as vertices.
+// Hint: You have not one sum for each vertex.
 #include "exercises/06_geometry/vertex_normals.h"
 
 namespace {

@@ -1,4 +1,6 @@
 // Searches the whole list for each vertex.
+// Hint: Your answers are right, but you go through the whole list again and
+// again.
 #include "exercises/06_geometry/vertex_normals.h"
 
 std::vector<Vec3> vertex_normals(const IndexedMesh& mesh) {

@@ -1,4 +1,6 @@
 // Turns the triangles of a face that is not convex all to one side.
+// Hint: You turn all triangles of a face to one side; at a reflex corner one
+// counts against the others.
 #include "exercises/06_geometry/vertex_normals.h"
 
 namespace {

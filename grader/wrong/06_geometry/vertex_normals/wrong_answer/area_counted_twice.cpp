@@ -1,4 +1,5 @@
 // Adds area vectors times the area.
+// Hint: You let faces count by something else than their area.
 #include "exercises/06_geometry/vertex_normals.h"
 
 namespace {

@@ -1,4 +1,5 @@
 // Adds at the first corner of the face only.
+// Hint: You add a face at some of its corners only.
 #include "exercises/06_geometry/vertex_normals.h"
 
 namespace {

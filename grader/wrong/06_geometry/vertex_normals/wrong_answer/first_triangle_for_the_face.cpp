@@ -1,4 +1,5 @@
 // Takes the first three corners for the whole face.
+// Hint: You take the first three corners for the whole face.
 #include "exercises/06_geometry/vertex_normals.h"
 
 namespace {

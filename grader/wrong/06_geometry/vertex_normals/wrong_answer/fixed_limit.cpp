@@ -1,4 +1,5 @@
 // Compares the sums with a fixed number.
+// Hint: You let the unit of length decide whether there is a normal.
 #include "exercises/06_geometry/vertex_normals.h"
 
 namespace {

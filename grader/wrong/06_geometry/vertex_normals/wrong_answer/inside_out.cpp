@@ -1,4 +1,5 @@
 // The corners of the triangles in the wrong order.
+// Hint: Your normal points to the other side.
 #include "exercises/06_geometry/vertex_normals.h"
 
 namespace {

@@ -1,4 +1,5 @@
 // Divides by zero where there is nothing.
+// Hint: You divide by a length that is 0 where the vertex has no normal.
 #include "exercises/06_geometry/vertex_normals.h"
 
 namespace {

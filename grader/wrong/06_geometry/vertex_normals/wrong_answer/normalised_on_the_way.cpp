@@ -1,4 +1,6 @@
 // Brings the sum to unit length after each face.
+// Hint: You change a sum before all faces are in it: some count more than
+// others.
 #include "exercises/06_geometry/vertex_normals.h"
 
 namespace {

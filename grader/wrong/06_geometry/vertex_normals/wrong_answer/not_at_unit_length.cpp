@@ -1,4 +1,5 @@
 // Leaves the sums as they are.
+// Hint: Your normal has the right direction, but its length is not 1.
 #include "exercises/06_geometry/vertex_normals.h"
 
 namespace {

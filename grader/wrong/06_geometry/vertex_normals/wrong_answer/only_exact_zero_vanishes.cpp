@@ -1,4 +1,5 @@
 // Takes a sum for a direction that is nothing but rounding.
+// Hint: You decide otherwise than the contract which vertices have no normal.
 #include "exercises/06_geometry/vertex_normals.h"
 
 namespace {

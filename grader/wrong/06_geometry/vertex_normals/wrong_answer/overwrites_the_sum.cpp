@@ -1,4 +1,5 @@
 // The last face at a vertex wins.
+// Hint: Your normal is that of one face only.
 #include "exercises/06_geometry/vertex_normals.h"
 
 namespace {

@@ -1,5 +1,7 @@
 // Right in exact numbers: products of positions lose all digits far from the
 // origin.
+// Hint: You lose digits: numbers cancel out that grow with the distance from
+// the origin.
 #include "exercises/06_geometry/vertex_normals.h"
 
 namespace {

@@ -1,4 +1,5 @@
 // Compares with the sides of the last face only.
+// Hint: You decide otherwise than the contract which vertices have no normal.
 #include "exercises/06_geometry/vertex_normals.h"
 
 namespace {

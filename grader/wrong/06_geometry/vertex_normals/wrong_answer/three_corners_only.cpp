@@ -1,4 +1,5 @@
 // Adds at three corners: a quad has four.
+// Hint: You add a face at some of its corners only.
 #include "exercises/06_geometry/vertex_normals.h"
 
 namespace {

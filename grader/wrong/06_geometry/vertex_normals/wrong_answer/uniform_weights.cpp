@@ -1,4 +1,5 @@
 // Adds unit normals: each face counts the same.
+// Hint: You let faces count by something else than their area.
 #include "exercises/06_geometry/vertex_normals.h"
 
 namespace {

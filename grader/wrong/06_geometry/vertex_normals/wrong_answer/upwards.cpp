@@ -1,4 +1,5 @@
 // Turns all normals so that z is not negative.
+// Hint: You turn normals that point down.
 #include "exercises/06_geometry/vertex_normals.h"
 
 namespace {

@@ -1,4 +1,5 @@
 // Returns nothing for vertices that no face uses: the others move up.
+// Hint: You have no vector for a vertex without faces.
 #include "exercises/06_geometry/vertex_normals.h"
 
 namespace {

@@ -1,4 +1,6 @@
 // Adds at each corner the area vector of its wedge, not of the face.
+// Hint: You let a face count at a corner by the two sides there, not by its
+// area.
 #include "exercises/06_geometry/vertex_normals.h"
 
 namespace {

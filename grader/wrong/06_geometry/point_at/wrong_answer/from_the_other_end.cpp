@@ -1,5 +1,5 @@
 // Mixes up the ends: t = 0 is q + u.
-// Hint: You begin at the wrong end: t = 0 is where you have t = 1.
+// Hint: You begin at the wrong end of the segment.
 #include "exercises/06_geometry/point_at.h"
 
 std::optional<Vec3> point_at(const Line& line, double t) {

@@ -1,6 +1,6 @@
 // Takes the rows for columns: the inverse, not transposed.
 // Hint: You have rows and columns mixed up: right for scalings, but not for
-// turns.
+// rotations.
 #include "exercises/06_geometry/transform_normal.h"
 
 Vec3 transform_normal(const Mat3& m, Vec3 n) {

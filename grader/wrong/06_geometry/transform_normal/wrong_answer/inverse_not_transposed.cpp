@@ -1,6 +1,6 @@
 // Multiplies by the inverse: right for scalings, not for turns.
 // Hint: You have rows and columns mixed up: right for scalings, but not for
-// turns.
+// rotations.
 #include "exercises/06_geometry/transform_normal.h"
 
 Vec3 transform_normal(const Mat3& m, Vec3 n) {

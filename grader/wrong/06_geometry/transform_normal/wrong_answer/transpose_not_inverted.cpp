@@ -1,5 +1,5 @@
 // Multiplies by the transpose.
-// Hint: You are wrong even for turns: you turn the normal back.
+// Hint: You are wrong even for rotations: you turn the normal back.
 #include "exercises/06_geometry/transform_normal.h"
 
 Vec3 transform_normal(const Mat3& m, Vec3 n) {

@@ -1,5 +1,5 @@
 // Multiplies by the matrix itself.
-// Hint: You transform the normal as if it were a point: right for rotations only.
+// Hint: You transform the normal like a point: right for rotations only.
 #include "exercises/06_geometry/transform_normal.h"
 
 Vec3 transform_normal(const Mat3& m, Vec3 n) {

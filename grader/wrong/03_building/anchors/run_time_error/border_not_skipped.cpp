@@ -1,4 +1,5 @@
 // Writes the half-edges of the border to place -1.
+// Hint: You use the number of a face as an index, also where there is no face.
 #include "exercises/03_building/anchors.h"
 
 #include <cstddef>

@@ -1,4 +1,6 @@
 // Looks through the table once for each vertex and each face.
+// Hint: Your answers are right, but you read the same rows of the table again
+// and again.
 #include "exercises/03_building/anchors.h"
 
 namespace {

@@ -1,4 +1,5 @@
 // Passes over the border for vertices, too.
+// Hint: You pass over half-edges without a face; a vertex may have no others.
 #include "exercises/03_building/anchors.h"
 
 #include <cstddef>

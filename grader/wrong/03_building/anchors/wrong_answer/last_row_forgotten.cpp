@@ -1,4 +1,5 @@
 // Leaves out the last row.
+// Hint: You leave out a row at an end of the table.
 #include "exercises/03_building/anchors.h"
 
 #include <cstddef>

@@ -1,4 +1,5 @@
 // The lists end with the last vertex and face that the table names.
+// Hint: Your lists leave out vertices and faces that no half-edge has.
 #include "exercises/03_building/anchors.h"
 
 #include <cstddef>

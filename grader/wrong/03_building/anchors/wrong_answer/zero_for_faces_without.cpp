@@ -1,4 +1,5 @@
 // The list of the faces begins as zeros.
+// Hint: You do not say -1 where a vertex or a face has no half-edge.
 #include "exercises/03_building/anchors.h"
 
 #include <cstddef>

@@ -1,4 +1,5 @@
 // Fills lists of zeros, and turns what is still 0 into -1: half-edge 0 is lost.
+// Hint: You take half-edge 0 for none.
 #include "exercises/03_building/anchors.h"
 
 #include <cstddef>

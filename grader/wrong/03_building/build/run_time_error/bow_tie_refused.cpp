@@ -1,4 +1,6 @@
 // Refuses a vertex to which the border comes twice.
+// Hint: You refuse a mesh whose border comes to a vertex twice; it has a
+// table.
 #include "exercises/03_building/build.h"
 
 #include <algorithm>

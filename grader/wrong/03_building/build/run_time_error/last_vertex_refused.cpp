@@ -1,4 +1,5 @@
 // Takes the largest vertex number for one too many.
+// Hint: You refuse meshes that are sound.
 #include "exercises/03_building/build.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Refuses a mesh in another way than the contract says.
+// Hint: You refuse in another way than the contract says.
 #include "exercises/03_building/build.h"
 
 #include <algorithm>

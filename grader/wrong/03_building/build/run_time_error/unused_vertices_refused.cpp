@@ -1,4 +1,5 @@
 // Refuses a mesh with a vertex that nothing uses.
+// Hint: You refuse a mesh with a vertex that nothing uses.
 #include "exercises/03_building/build.h"
 
 #include <algorithm>

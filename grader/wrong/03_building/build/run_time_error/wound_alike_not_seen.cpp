@@ -1,4 +1,5 @@
 // The later side takes the place of the earlier one: nothing is refused.
+// Hint: You accept two faces that run along an edge the same way.
 #include "exercises/03_building/build.h"
 
 #include <algorithm>

@@ -1,4 +1,6 @@
 // Looks through the whole table for the next of each border half-edge.
+// Hint: Your answers are right, but the larger the mesh is, the longer you
+// search at every step.
 #include "exercises/03_building/build.h"
 
 #include <algorithm>

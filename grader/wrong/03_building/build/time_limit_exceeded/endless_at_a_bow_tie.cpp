@@ -1,5 +1,6 @@
 // Rotates round the tip to the next border half-edge, by opposites of the half-edge
 // before; on a border that is not linked yet it comes to no end.
+// Hint: You wait for a half-edge that your walk never meets.
 #include "exercises/03_building/build.h"
 
 #include <algorithm>

@@ -1,4 +1,6 @@
 // Takes any border half-edge that leaves the tip; at a bow-tie one is taken twice.
+// Hint: Where the border comes to a vertex several times, two of your
+// half-edges lead to the same next.
 #include "exercises/03_building/build.h"
 
 #include <algorithm>

@@ -1,5 +1,6 @@
 // Border half-edges run the same way as the face: next leads to the one at its own
 // start.
+// Hint: You are right where there is no border, and wrong at every border.
 #include "exercises/03_building/build.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // The half-edges of the border get the number after the last face.
+// Hint: You are right where there is no border, and wrong at every border.
 #include "exercises/03_building/build.h"
 
 #include <algorithm>

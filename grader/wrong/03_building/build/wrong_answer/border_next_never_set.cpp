@@ -1,4 +1,5 @@
 // Makes the border half-edges, but leaves their next at -1.
+// Hint: You are right where there is no border, and wrong at every border.
 #include "exercises/03_building/build.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // The opposite on the border leaves the vertex that its half-edge leaves.
+// Hint: You are right where there is no border, and wrong at every border.
 #include "exercises/03_building/build.h"
 
 #include <algorithm>

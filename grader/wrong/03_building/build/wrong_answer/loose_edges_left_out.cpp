@@ -1,4 +1,5 @@
 // Builds the faces only.
+// Hint: You leave out the loose edges.
 #include "exercises/03_building/build.h"
 
 #include <algorithm>

@@ -1,5 +1,6 @@
 // A loose edge leads on to the border where it hangs, but the border never leads
 // to it: next is shared.
+// Hint: Your links go wrong where a loose edge hangs on something.
 #include "exercises/03_building/build.h"
 
 #include <algorithm>

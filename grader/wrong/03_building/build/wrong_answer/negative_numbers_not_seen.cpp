@@ -1,4 +1,5 @@
 // Checks corners at the upper end only.
+// Hint: You accept a number that is no vertex of the mesh.
 #include "exercises/03_building/build.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Leaves opp at -1 where there is no face on the other side.
+// Hint: You are right where there is no border, and wrong at every border.
 #include "exercises/03_building/build.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Takes the number of vertices for a vertex.
+// Hint: You accept a number that is no vertex of the mesh.
 #include "exercises/03_building/build.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Walks the border from one half-edge until it is back; other loops stay open.
+// Hint: You link one loop of the border only.
 #include "exercises/03_building/build.h"
 
 #include <algorithm>

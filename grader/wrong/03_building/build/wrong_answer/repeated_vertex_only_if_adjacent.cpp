@@ -1,4 +1,5 @@
 // Sees a vertex at two corners only when these follow each other.
+// Hint: You do not refuse every face that is wrong by itself.
 #include "exercises/03_building/build.h"
 
 #include <algorithm>

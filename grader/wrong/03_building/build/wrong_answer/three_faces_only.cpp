@@ -1,4 +1,6 @@
 // Refuses the third face of an edge, but not two that are wound alike.
+// Hint: You refuse a third face at an edge, but not two that run along it the
+// same way.
 #include "exercises/03_building/build.h"
 
 #include <algorithm>

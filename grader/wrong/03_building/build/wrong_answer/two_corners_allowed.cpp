@@ -1,4 +1,5 @@
 // Takes a face with two corners.
+// Hint: You do not refuse every face that is wrong by itself.
 #include "exercises/03_building/build.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Asks how many sides the first face has, and there may be none.
+// Hint: You look at the first face of a mesh that has none.
 #include "exercises/03_building/build_closed.h"
 
 #include <map>

@@ -1,4 +1,6 @@
 // Keeps a list of the half-edges that still wait, and looks through all of it.
+// Hint: Your answers are right, but the larger the mesh is, the longer you
+// search at every step.
 #include "exercises/03_building/build_closed.h"
 
 #include <vector>

@@ -1,4 +1,5 @@
 // Both ends in one 32-bit number: large vertex numbers run into each other.
+// Hint: With large vertex numbers you take two different edges for the same.
 #include "exercises/03_building/build_closed.h"
 
 #include <cstdint>

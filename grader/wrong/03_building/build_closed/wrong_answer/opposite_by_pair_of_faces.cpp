@@ -1,5 +1,7 @@
 // Finds the opposite by the two faces: those that share several edges get the
 // last one for all.
+// Hint: You find the opposite by the two faces beside it; they may share
+// several edges.
 #include "exercises/03_building/build_closed.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Reads three corners of each face.
+// Hint: You take every face for a triangle.
 #include "exercises/03_building/build_closed.h"
 
 #include <map>

@@ -1,5 +1,7 @@
 // Counts in a list with a place for each vertex, before it knows whether the
 // corner is one.
+// Hint: You use the number at a corner as an index, also where it is no
+// vertex.
 #include "exercises/03_building/defects.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Reads the last corner of each face, of which there may be none.
+// Hint: You look at a corner of a face that has none.
 #include "exercises/03_building/defects.h"
 
 #include <algorithm>

@@ -1,4 +1,6 @@
 // Compares each face with all others to find equal ones.
+// Hint: Your answers are right, but the larger the mesh is, the longer you
+// search at every step.
 #include "exercises/03_building/defects.h"
 
 #include <algorithm>

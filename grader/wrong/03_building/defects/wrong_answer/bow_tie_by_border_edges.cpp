@@ -1,5 +1,6 @@
 // Counts border edges at a vertex: more than two are several fans. Fans without a
 // border are missed, as is one at an edge of three faces.
+// Hint: At a vertex you take several fans for one, or one for several.
 #include "exercises/03_building/defects.h"
 
 #include <algorithm>

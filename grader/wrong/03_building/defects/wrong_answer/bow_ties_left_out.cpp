@@ -1,4 +1,5 @@
 // Does not look at vertices.
+// Hint: At a vertex you take several fans for one, or one for several.
 #include "exercises/03_building/defects.h"
 
 #include <algorithm>

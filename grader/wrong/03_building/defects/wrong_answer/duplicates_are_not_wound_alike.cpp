@@ -1,4 +1,6 @@
 // Leaves the edges of equal faces out, as the pair is reported already.
+// Hint: Look again at equal faces: where they begin, how many they are, and
+// what else is wrong with them.
 #include "exercises/03_building/defects.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Compares faces as sets of corners: a face and its reverse are the same.
+// Hint: You take a face and its reverse for the same face.
 #include "exercises/03_building/defects.h"
 
 #include <algorithm>

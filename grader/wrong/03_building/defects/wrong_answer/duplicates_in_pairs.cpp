@@ -1,4 +1,6 @@
 // Three equal faces come as two pairs.
+// Hint: Look again at equal faces: where they begin, how many they are, and
+// what else is wrong with them.
 #include "exercises/03_building/defects.h"
 
 #include <algorithm>

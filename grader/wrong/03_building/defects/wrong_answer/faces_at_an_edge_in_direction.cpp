@@ -1,4 +1,5 @@
 // Counts at most one face for each direction: two alike are too many.
+// Hint: You do not report two faces that are wound alike as such.
 #include "exercises/03_building/defects.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Faces at a vertex hang together if they share an edge anywhere.
+// Hint: At a vertex you take several fans for one, or one for several.
 #include "exercises/03_building/defects.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Goes from face to face only across edges with two faces.
+// Hint: At a vertex you take several fans for one, or one for several.
 #include "exercises/03_building/defects.h"
 
 #include <algorithm>

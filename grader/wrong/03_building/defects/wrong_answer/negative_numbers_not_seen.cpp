@@ -1,4 +1,5 @@
 // Compares corners with the number of vertices only.
+// Hint: You accept a number that is no vertex of the mesh.
 #include "exercises/03_building/defects.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Reports one defect of a face by itself, and no more.
+// Hint: You report one defect of a face, and no more.
 #include "exercises/03_building/defects.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // One defect for each corner too many, so that some come twice.
+// Hint: You report the same defect of a face more than once.
 #include "exercises/03_building/defects.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Sees a vertex at two corners only where these follow each other.
+// Hint: You see a vertex at two corners only where these follow each other.
 #include "exercises/03_building/defects.h"
 
 #include <algorithm>

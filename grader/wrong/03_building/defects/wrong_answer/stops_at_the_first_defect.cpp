@@ -1,4 +1,5 @@
 // Reports the first defect only.
+// Hint: You stop at the first defect.
 #include "exercises/03_building/defects.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Takes a face with two corners.
+// Hint: You take two corners for enough to make a face.
 #include "exercises/03_building/defects.h"
 
 #include <algorithm>

@@ -1,4 +1,6 @@
 // Faces with a defect of their own count at edges and vertices, too.
+// Hint: You let faces that are wrong by themselves count at edges and
+// vertices.
 #include "exercises/03_building/defects.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // A vertex without faces has no fan, and is reported.
+// Hint: You report vertices that no face uses.
 #include "exercises/03_building/defects.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Two faces at an edge are always sound.
+// Hint: You do not report two faces that are wound alike as such.
 #include "exercises/03_building/defects.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Reports winding where there are three faces, too, once for each pair.
+// Hint: You report an edge with more than two faces in more ways than one.
 #include "exercises/03_building/defects.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Sorts the sides and looks at the first one, which an empty mesh has not.
+// Hint: You look at the first face of a mesh that has none.
 #include "exercises/03_building/edges.h"
 
 #include <algorithm>

@@ -1,4 +1,6 @@
 // Looks through the whole list for each side.
+// Hint: Your answers are right, but the larger the mesh is, the longer you
+// search at every step.
 #include "exercises/03_building/edges.h"
 
 std::vector<EdgeInfo> edges(const IndexedMesh& mesh) {

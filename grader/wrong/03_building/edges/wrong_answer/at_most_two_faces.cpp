@@ -1,4 +1,5 @@
 // A set tells whether the edge was seen before: border or inner, no more.
+// Hint: You know two faces at an edge at most.
 #include "exercises/03_building/edges.h"
 
 #include <algorithm>

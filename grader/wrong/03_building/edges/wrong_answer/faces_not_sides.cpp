@@ -1,4 +1,5 @@
 // A set of faces for each edge: one that comes twice counts once.
+// Hint: You count faces; one face may run along an edge twice.
 #include "exercises/03_building/edges.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Both ends in one int: large vertex numbers run into each other.
+// Hint: With large vertex numbers you take two different edges for the same.
 #include "exercises/03_building/edges.h"
 
 #include <algorithm>

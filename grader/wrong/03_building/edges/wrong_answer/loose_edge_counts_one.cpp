@@ -1,4 +1,5 @@
 // Counts a loose edge as if a face were beside it.
+// Hint: You leave out loose edges, or count a face beside them.
 #include "exercises/03_building/edges.h"
 
 #include <algorithm>

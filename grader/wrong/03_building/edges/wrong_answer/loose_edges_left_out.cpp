@@ -1,4 +1,5 @@
 // Faces only: loose edges do not come into the list.
+// Hint: You leave out loose edges, or count a face beside them.
 #include "exercises/03_building/edges.h"
 
 #include <algorithm>

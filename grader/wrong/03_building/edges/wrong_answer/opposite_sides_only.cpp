@@ -1,4 +1,5 @@
 // Only a side that runs the other way belongs to the same edge.
+// Hint: You take two sides for one edge only where they run opposite ways.
 #include "exercises/03_building/edges.h"
 
 #include <map>

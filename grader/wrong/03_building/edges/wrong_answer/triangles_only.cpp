@@ -1,4 +1,5 @@
 // Three sides for each face, whatever it has.
+// Hint: You take every face for a triangle.
 #include "exercises/03_building/edges.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Takes the border for a face, with number -1.
+// Hint: You use the number of a face as an index, also where there is no face.
 #include "exercises/03_building/to_faces.h"
 
 #include <cstddef>

@@ -1,4 +1,6 @@
 // Makes room for as many faces as the largest vertex number says.
+// Hint: You use the number of a face as an index into a list that is too
+// short.
 #include "exercises/03_building/to_faces.h"
 
 #include <cstddef>

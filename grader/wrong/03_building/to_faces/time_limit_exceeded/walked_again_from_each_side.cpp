@@ -1,5 +1,7 @@
 // Begins each face anew from each of its sides: right, but n steps for each of n
 // sides.
+// Hint: Your answers are right, but you read the same rows of the table again
+// and again.
 #include "exercises/03_building/to_faces.h"
 
 #include <cstddef>

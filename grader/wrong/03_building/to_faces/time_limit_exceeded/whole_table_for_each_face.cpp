@@ -1,4 +1,6 @@
 // Looks through the whole table for the start of each face.
+// Hint: Your answers are right, but you read the same rows of the table again
+// and again.
 #include "exercises/03_building/to_faces.h"
 
 #include <cstddef>

@@ -1,4 +1,5 @@
 // The border loops come as faces at the end.
+// Hint: You take the border for a face.
 #include "exercises/03_building/to_faces.h"
 
 #include <cstddef>

@@ -1,4 +1,6 @@
 // Faces in the order in which the table comes to them.
+// Hint: You number the faces in the order in which you meet them; the table
+// says which is which.
 #include "exercises/03_building/to_faces.h"
 
 #include <cstddef>

@@ -1,4 +1,6 @@
 // Corners in the order of the table's rows, which is not the order of next.
+// Hint: You take the corners in the order of the rows; next may lead
+// another way.
 #include "exercises/03_building/to_faces.h"
 
 #include <cstddef>

@@ -1,4 +1,6 @@
 // Ends the walk when a vertex comes again, which is no side yet of the start.
+// Hint: You end the walk at a vertex that you have seen: a face may pass a
+// vertex twice.
 #include "exercises/03_building/to_faces.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Takes every face for a triangle.
+// Hint: You take every face for a triangle.
 #include "exercises/03_building/to_faces.h"
 
 #include <cstddef>

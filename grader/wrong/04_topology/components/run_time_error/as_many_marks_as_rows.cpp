@@ -1,4 +1,6 @@
 // Keeps the neighbours in a vector as long as the table.
+// Hint: You use the number of a vertex as an index; it may be larger
+// than the table.
 #include "exercises/04_topology/components.h"
 
 #include <vector>

@@ -1,5 +1,7 @@
 // Passes labels along all edges, over and over, until none changes: right, but a
 // long strip takes as many rounds as it is long.
+// Hint: Your answers are right, but you read the same rows of the table again
+// and again.
 #include "exercises/04_topology/components.h"
 
 #include <algorithm>

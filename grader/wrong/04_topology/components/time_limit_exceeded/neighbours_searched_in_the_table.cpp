@@ -1,4 +1,6 @@
 // Looks through all rows for the neighbours of each vertex.
+// Hint: Your answers are right, but you read the same rows of the table again
+// and again.
 #include "exercises/04_topology/components.h"
 
 #include <map>

@@ -1,5 +1,6 @@
 // Searches from face to face and takes the border, -1, for a face: all open
 // parts hang together there.
+// Hint: You take the border for a face: open parts hang together there.
 #include "exercises/04_topology/components.h"
 
 #include <map>

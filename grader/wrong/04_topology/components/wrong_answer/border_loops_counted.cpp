@@ -1,4 +1,6 @@
 // Takes each border loop for a component, and a closed mesh for one.
+// Hint: You tell components by the border; one component may have several
+// loops, or none.
 #include "exercises/04_topology/components.h"
 
 #include <vector>

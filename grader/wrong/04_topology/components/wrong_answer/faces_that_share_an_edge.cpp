@@ -1,5 +1,7 @@
 // Searches from face to face, across edges with a face on both sides: loose
 // edges join nothing, nor do common vertices.
+// Hint: You go from face to face; parts of a mesh also hang together by a
+// vertex or a loose edge.
 #include "exercises/04_topology/components.h"
 
 #include <map>

@@ -1,4 +1,6 @@
 // Goes by next and opp: never passes a vertex where two fans are not linked.
+// Hint: You do not get from one fan to the other at a vertex where two
+// of them meet.
 #include "exercises/04_topology/components.h"
 
 #include <vector>

@@ -1,5 +1,6 @@
 // Numbers the vertices from 0 to the largest: a number that is not in use is
 // taken for a component.
+// Hint: You take a vertex number that nothing uses for a component.
 #include "exercises/04_topology/components.h"
 
 #include <algorithm>

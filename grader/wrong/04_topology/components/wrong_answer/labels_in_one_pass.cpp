@@ -1,5 +1,7 @@
 // Gives both ends of each edge the smaller label, in one pass: labels that change
 // later do not come through.
+// Hint: You do not follow the edges far enough: what several of them join
+// comes out as several components.
 #include "exercises/04_topology/components.h"
 
 #include <algorithm>

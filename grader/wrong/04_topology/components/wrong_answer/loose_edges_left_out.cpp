@@ -1,4 +1,5 @@
 // Follows only edges with a face.
+// Hint: You do not go along edges that have no face.
 #include "exercises/04_topology/components.h"
 
 #include <map>

@@ -1,4 +1,6 @@
 // Marks the neighbours of the start and searches no further.
+// Hint: You do not follow the edges far enough: what several of them join
+// comes out as several components.
 #include "exercises/04_topology/components.h"
 
 #include <map>

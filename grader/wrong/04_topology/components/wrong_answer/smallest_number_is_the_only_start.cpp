@@ -1,4 +1,5 @@
 // Searches from the first vertex; if that does not reach all, there are two.
+// Hint: You count two components at most.
 #include "exercises/04_topology/components.h"
 
 #include <map>

@@ -1,4 +1,6 @@
 // Joins the two ends of an edge, and not the roots of their trees.
+// Hint: You do not follow the edges far enough: what several of them join
+// comes out as several components.
 #include "exercises/04_topology/components.h"
 
 #include <map>

@@ -1,5 +1,7 @@
 // Keeps a mark for each vertex in a vector as long as the table: a vertex number
 // may be larger.
+// Hint: You use the number of a vertex as an index; it may be larger
+// than the table.
 #include "exercises/04_topology/counts.h"
 
 #include <vector>

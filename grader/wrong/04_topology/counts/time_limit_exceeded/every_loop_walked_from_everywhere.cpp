@@ -1,5 +1,7 @@
 // Walks the whole loop from each of its half-edges, and counts it at the
 // smallest: right, but the cost is quadratic.
+// Hint: Your answers are right, but you read the same rows of the table again
+// and again.
 #include "exercises/04_topology/counts.h"
 
 #include <set>

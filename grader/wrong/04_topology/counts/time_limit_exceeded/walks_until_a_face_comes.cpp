@@ -1,4 +1,5 @@
 // Walks until a face comes, which never happens on a border.
+// Hint: You wait for a half-edge that your walk never meets.
 #include "exercises/04_topology/counts.h"
 
 #include <set>

@@ -1,4 +1,5 @@
 // The -1 of the border goes in among the faces.
+// Hint: You are right where there is no border, and wrong at every border.
 #include "exercises/04_topology/counts.h"
 
 #include <set>

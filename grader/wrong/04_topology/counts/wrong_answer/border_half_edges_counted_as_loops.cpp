@@ -1,4 +1,5 @@
 // Counts the half-edges of the border.
+// Hint: You are right where there is no border, and wrong at every border.
 #include "exercises/04_topology/counts.h"
 
 #include <set>

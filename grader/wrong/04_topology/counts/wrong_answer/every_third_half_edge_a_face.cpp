@@ -1,4 +1,5 @@
 // Divides the half-edges with a face by three: right for triangles only.
+// Hint: You take every face for a triangle.
 #include "exercises/04_topology/counts.h"
 
 #include <set>

@@ -1,4 +1,5 @@
 // Takes the largest face number for the last of a row without gaps.
+// Hint: You take the largest number for the last of a row without gaps.
 #include "exercises/04_topology/counts.h"
 
 #include <set>

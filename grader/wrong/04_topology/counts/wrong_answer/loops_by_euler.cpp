@@ -1,4 +1,6 @@
 // Works the loops out from V - E + F, as if the mesh were one sphere with holes.
+// Hint: You work the loops out from the other counts, as if every mesh were
+// one sphere with holes.
 #include "exercises/04_topology/counts.h"
 
 #include <set>

@@ -1,4 +1,5 @@
 // Marks the vertices of the border: two loops at one vertex are taken for one.
+// Hint: You mark vertices; a border may pass a vertex twice.
 #include "exercises/04_topology/counts.h"
 
 #include <set>

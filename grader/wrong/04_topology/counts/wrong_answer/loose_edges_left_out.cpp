@@ -1,4 +1,5 @@
 // Counts only edges with a face on one side at least.
+// Hint: You leave out loose edges, or the vertices at their ends.
 #include "exercises/04_topology/counts.h"
 
 #include <set>

@@ -1,4 +1,5 @@
 // Has the mesh a border? Then that is one loop.
+// Hint: You know one border loop at most.
 #include "exercises/04_topology/counts.h"
 
 #include <set>

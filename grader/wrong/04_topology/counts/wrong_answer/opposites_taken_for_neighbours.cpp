@@ -1,5 +1,7 @@
 // Takes i and i ^ 1 for one edge and counts those pairs that end where they
 // should.
+// Hint: You take the half-edge in the neighbouring row for the opposite one;
+// the table says which it is.
 #include "exercises/04_topology/counts.h"
 
 #include <set>

@@ -1,4 +1,5 @@
 // Looks only at half-edges with a face: the end of a loose edge is missing.
+// Hint: You leave out loose edges, or the vertices at their ends.
 #include "exercises/04_topology/counts.h"
 
 #include <set>

@@ -1,5 +1,7 @@
 // Looks for each half-edge whether an earlier one leaves the same vertex:
 // quadratic.
+// Hint: Your answers are right, but you read the same rows of the table again
+// and again.
 #include "exercises/04_topology/euler.h"
 
 int euler(const HalfEdgeTable& he) {

@@ -1,4 +1,5 @@
 // Counts faces with the -1 of the border among them.
+// Hint: You are right where there is no border, and wrong at every border.
 #include "exercises/04_topology/euler.h"
 
 #include <set>

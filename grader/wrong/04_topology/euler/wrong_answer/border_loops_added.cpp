@@ -1,4 +1,5 @@
 // Counts a border loop as a face, as if all holes were closed.
+// Hint: You are right where there is no border, and wrong at every border.
 #include "exercises/04_topology/euler.h"
 
 int euler(const HalfEdgeTable& he) {

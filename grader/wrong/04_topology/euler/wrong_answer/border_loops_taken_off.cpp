@@ -1,4 +1,5 @@
 // Takes the border loops off, as in the formula for the other side.
+// Hint: You are right where there is no border, and wrong at every border.
 #include "exercises/04_topology/euler.h"
 
 int euler(const HalfEdgeTable& he) {

@@ -1,4 +1,5 @@
 // Takes loose edges off, but leaves their ends in.
+// Hint: You leave out loose edges, or the vertices at their ends.
 #include "exercises/04_topology/euler.h"
 
 int euler(const HalfEdgeTable& he) {

@@ -1,4 +1,5 @@
 // Takes a negative characteristic for a mistake.
+// Hint: You never give a number below 0; it may be negative.
 #include "exercises/04_topology/euler.h"
 
 int euler(const HalfEdgeTable& he) {

@@ -1,4 +1,5 @@
 // Counts by the largest number.
+// Hint: You take the largest number for the last of a row without gaps.
 #include "exercises/04_topology/euler.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Takes the equation for closed meshes and refuses all others.
+// Hint: You refuse meshes with a border.
 #include "exercises/04_topology/genus.h"
 
 #include <stdexcept>

@@ -1,4 +1,6 @@
 // Takes for B whether there is a border.
+// Hint: You are right on closed meshes; where there is a border, its loops do
+// not go into your number as they should.
 #include "exercises/04_topology/genus.h"
 
 int genus(const HalfEdgeTable& he) {

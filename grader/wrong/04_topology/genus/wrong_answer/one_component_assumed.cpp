@@ -1,4 +1,5 @@
 // Leaves S at 1.
+// Hint: You are right for one component, and wrong for several.
 #include "exercises/04_topology/genus.h"
 
 int genus(const HalfEdgeTable& he) {

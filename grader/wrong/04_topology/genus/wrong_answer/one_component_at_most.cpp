@@ -1,4 +1,6 @@
 // Says 1 when there is any handle.
+// Hint: You are right where there is no handle, and wrong where there
+// are several.
 #include "exercises/04_topology/genus.h"
 
 int genus(const HalfEdgeTable& he) {

@@ -1,4 +1,5 @@
 // Divides the characteristic alone: right where B is even.
+// Hint: You divide before you have added everything, and lose a half.
 #include "exercises/04_topology/genus.h"
 
 int genus(const HalfEdgeTable& he) {

@@ -1,4 +1,6 @@
 // Keeps a count for each face in a vector as long as the table.
+// Hint: You use the number of a face as an index; it may be larger than
+// the table.
 #include "exercises/04_topology/incidences.h"
 
 #include <vector>

@@ -1,4 +1,6 @@
 // Looks for every vertex through all rows.
+// Hint: Your answers are right, but you read the same rows of the table again
+// and again.
 #include "exercises/04_topology/incidences.h"
 
 #include <set>

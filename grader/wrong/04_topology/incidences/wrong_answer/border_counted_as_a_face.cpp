@@ -1,4 +1,5 @@
 // Counts the border among the faces of a vertex.
+// Hint: You are right where there is no border, and wrong at every border.
 #include "exercises/04_topology/incidences.h"
 
 #include <set>

@@ -1,4 +1,5 @@
 // Puts pairs of a vertex and a face in a set: who meet twice are counted once.
+// Hint: You count once what meets twice.
 #include "exercises/04_topology/incidences.h"
 
 #include <set>

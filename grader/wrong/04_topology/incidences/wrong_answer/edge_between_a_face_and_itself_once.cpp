@@ -1,4 +1,5 @@
 // Counts an edge with the same face on both sides once.
+// Hint: You count once what meets twice.
 #include "exercises/04_topology/incidences.h"
 
 Incidences incidences(const HalfEdgeTable& he) {

@@ -1,4 +1,5 @@
 // Leaves the ends of loose edges out.
+// Hint: You count a face beside loose edges, or leave out their ends.
 #include "exercises/04_topology/incidences.h"
 
 Incidences incidences(const HalfEdgeTable& he) {

@@ -1,4 +1,5 @@
 // Takes a face for granted on one side of each edge.
+// Hint: You count a face beside loose edges, or leave out their ends.
 #include "exercises/04_topology/incidences.h"
 
 Incidences incidences(const HalfEdgeTable& he) {

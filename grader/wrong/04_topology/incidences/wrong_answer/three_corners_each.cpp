@@ -1,4 +1,5 @@
 // Takes all faces for triangles.
+// Hint: You take every face for a triangle.
 #include "exercises/04_topology/incidences.h"
 
 #include <set>

@@ -1,4 +1,5 @@
 // Reads row 0 of an empty table.
+// Hint: You read row 0 of a table that has no rows.
 #include "exercises/04_topology/is_closed.h"
 
 bool is_closed(const HalfEdgeTable& he) {

@@ -1,4 +1,6 @@
 // Walks the whole mesh again for each half-edge.
+// Hint: Your answers are right, but you read the same rows of the table again
+// and again.
 #include "exercises/04_topology/is_closed.h"
 
 bool is_closed(const HalfEdgeTable& he) {

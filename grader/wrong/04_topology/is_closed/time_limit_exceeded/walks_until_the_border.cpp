@@ -1,4 +1,5 @@
 // Goes on by next and opp until there is no face: on a closed mesh for ever.
+// Hint: You walk until there is no face, which never happens on a closed mesh.
 #include "exercises/04_topology/is_closed.h"
 
 bool is_closed(const HalfEdgeTable& he) {

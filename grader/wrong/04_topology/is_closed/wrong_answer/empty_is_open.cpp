@@ -1,4 +1,5 @@
 // Says that an empty mesh is open.
+// Hint: You take a mesh without edges for open.
 #include "exercises/04_topology/is_closed.h"
 
 bool is_closed(const HalfEdgeTable& he) {

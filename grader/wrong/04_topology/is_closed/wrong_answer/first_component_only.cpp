@@ -1,4 +1,5 @@
 // Searches from row 0 on by next and opp, and does not go on in other components.
+// Hint: You do not leave the component that you begin in.
 #include "exercises/04_topology/is_closed.h"
 
 #include <vector>

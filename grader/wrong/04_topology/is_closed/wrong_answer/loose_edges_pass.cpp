@@ -1,4 +1,5 @@
 // Looks for edges with exactly one face: a loose edge has none.
+// Hint: You do not see that the mesh is open at an edge without any face.
 #include "exercises/04_topology/is_closed.h"
 
 bool is_closed(const HalfEdgeTable& he) {

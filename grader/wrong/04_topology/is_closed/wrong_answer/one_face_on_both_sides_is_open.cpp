@@ -1,4 +1,5 @@
 // Asks for two different faces.
+// Hint: You take an edge for open that has the same face on both sides.
 #include "exercises/04_topology/is_closed.h"
 
 bool is_closed(const HalfEdgeTable& he) {

@@ -1,4 +1,5 @@
 // Compares 2E with 3F: that holds for closed meshes of triangles.
+// Hint: You take every face for a triangle.
 #include "exercises/04_topology/is_closed.h"
 
 #include <set>

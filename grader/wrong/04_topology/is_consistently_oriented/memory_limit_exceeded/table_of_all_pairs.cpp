@@ -1,4 +1,6 @@
 // Makes a square table with a mark for each pair of vertices.
+// Hint: Your answers are right, but your memory grows with the square of
+// the mesh.
 #include "exercises/04_topology/is_consistently_oriented.h"
 
 #include <vector>

@@ -1,4 +1,6 @@
 // Compares all pairs of faces: right, and quadratic.
+// Hint: Your answers are right, but the larger the mesh is, the longer you
+// search at every step.
 #include "exercises/04_topology/is_consistently_oriented.h"
 
 bool is_consistently_oriented(const IndexedMesh& mesh) {

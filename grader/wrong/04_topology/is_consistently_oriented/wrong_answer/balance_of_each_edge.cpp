@@ -1,4 +1,6 @@
 // Adds up the directions along each edge and lets 1 and -1 pass.
+// Hint: At an edge with more than two faces you miss two that run along it the
+// same way.
 #include "exercises/04_topology/is_consistently_oriented.h"
 
 #include <algorithm>

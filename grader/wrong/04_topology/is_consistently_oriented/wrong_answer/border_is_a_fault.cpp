@@ -1,4 +1,5 @@
 // Asks for the opposite of each side: open meshes have none.
+// Hint: You take the border for a fault.
 #include "exercises/04_topology/is_consistently_oriented.h"
 
 #include <set>

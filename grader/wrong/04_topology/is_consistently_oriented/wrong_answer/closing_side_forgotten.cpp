@@ -1,4 +1,5 @@
 // The side from the last corner to the first is missing.
+// Hint: You leave out the side from the last corner back to the first.
 #include "exercises/04_topology/is_consistently_oriented.h"
 
 #include <set>

@@ -1,4 +1,6 @@
 // Says no for a mesh without faces.
+// Hint: You say no because of something without a face: a loose edge, an
+// unused vertex, or a mesh that has no faces.
 #include "exercises/04_topology/is_consistently_oriented.h"
 
 #include <set>

@@ -1,4 +1,5 @@
 // Goes from the first face to its neighbours and theirs, and to no other part.
+// Hint: You look at the first part of the mesh only.
 #include "exercises/04_topology/is_consistently_oriented.h"
 
 #include <set>

@@ -1,5 +1,6 @@
 // Makes one number of two, with 1000 for the step: on large meshes two sides get
 // the same.
+// Hint: With large vertex numbers you take two different edges for the same.
 #include "exercises/04_topology/is_consistently_oriented.h"
 
 #include <set>

@@ -1,4 +1,5 @@
 // Compares each face with the one before it in the list.
+// Hint: You compare only faces that follow each other in the list.
 #include "exercises/04_topology/is_consistently_oriented.h"
 
 #include <algorithm>

@@ -1,4 +1,6 @@
 // Takes it for consistent when all normals point up, as on flat meshes.
+// Hint: You look at where the faces point; what counts is how neighbours run
+// along their edge.
 #include "exercises/04_topology/is_consistently_oriented.h"
 
 bool is_consistently_oriented(const IndexedMesh& mesh) {

@@ -1,4 +1,5 @@
 // Looks at the first edge that two faces share, and not at the second.
+// Hint: You look at one edge that two faces share, and not at the others.
 #include "exercises/04_topology/is_consistently_oriented.h"
 
 #include <map>

@@ -1,5 +1,7 @@
 // Compares each side with the last one along the same edge only: three faces may
 // run forth, back and forth.
+// Hint: At an edge with more than two faces you miss two that run along it the
+// same way.
 #include "exercises/04_topology/is_consistently_oriented.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Looks at three sides of each face.
+// Hint: You take every face for a triangle.
 #include "exercises/04_topology/is_consistently_oriented.h"
 
 #include <set>

@@ -1,4 +1,5 @@
 // Searches at vertices without faces, too: there is no first one.
+// Hint: You look for the fan of a vertex that no face uses.
 #include "exercises/04_topology/is_manifold.h"
 
 #include <algorithm>

@@ -1,4 +1,6 @@
 // Counts the faces of each edge by a look at all faces.
+// Hint: Your answers are right, but the larger the mesh is, the longer you
+// search at every step.
 #include "exercises/04_topology/is_manifold.h"
 
 #include <algorithm>

@@ -1,4 +1,6 @@
 // Compares all faces at a vertex with each other: quadratic where many meet.
+// Hint: Your answers are right, but you take too long where many faces meet at
+// one vertex.
 #include "exercises/04_topology/is_manifold.h"
 
 #include <algorithm>

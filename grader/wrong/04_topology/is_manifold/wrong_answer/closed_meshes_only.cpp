@@ -1,4 +1,5 @@
 // Wants two faces at each edge: no border.
+// Hint: You refuse meshes with a border.
 #include "exercises/04_topology/is_manifold.h"
 
 #include <algorithm>

@@ -1,4 +1,6 @@
 // Asks whether the mesh as a whole is connected, and not the faces at each vertex.
+// Hint: You ask whether the mesh hangs together, and not whether the faces at
+// each vertex do.
 #include "exercises/04_topology/is_manifold.h"
 
 #include <algorithm>

@@ -1,5 +1,6 @@
 // Takes (a, b) and (b, a) for two edges: three faces at an edge go unseen, and two
 // that are wound alike do not pass.
+// Hint: You refuse meshes that are not wound consistently.
 #include "exercises/04_topology/is_manifold.h"
 
 #include <algorithm>

@@ -1,5 +1,6 @@
 // Counts at each vertex: as many edges as faces, or one more. Two closed fans, or a
 // closed and an open one, have such numbers, too.
+// Hint: You do not see several fans at a vertex where one of them is closed.
 #include "exercises/04_topology/is_manifold.h"
 
 #include <algorithm>

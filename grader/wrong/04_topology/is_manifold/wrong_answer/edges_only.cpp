@@ -1,4 +1,5 @@
 // Asks the edges and not the vertices.
+// Hint: You accept vertices with several fans.
 #include "exercises/04_topology/is_manifold.h"
 
 #include <algorithm>

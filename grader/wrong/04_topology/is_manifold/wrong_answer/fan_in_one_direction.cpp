@@ -1,4 +1,5 @@
 // Joins the edges of a face in one direction only: an open fan is left half-way.
+// Hint: You refuse meshes with a border.
 #include "exercises/04_topology/is_manifold.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Leaves the loop over the vertices after the first with a face.
+// Hint: You accept vertices with several fans.
 #include "exercises/04_topology/is_manifold.h"
 
 #include <algorithm>

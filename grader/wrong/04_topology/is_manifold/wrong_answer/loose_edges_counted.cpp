@@ -1,4 +1,6 @@
 // Takes loose edges into account, as if they were faces at their ends.
+// Hint: You say no because of something without a face: a loose edge, an
+// unused vertex, or a mesh that has no faces.
 #include "exercises/04_topology/is_manifold.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Refuses two faces that share two edges.
+// Hint: You refuse two faces that have more in common than one edge.
 #include "exercises/04_topology/is_manifold.h"
 
 #include <algorithm>

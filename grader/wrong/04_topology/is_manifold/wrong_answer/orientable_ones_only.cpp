@@ -1,4 +1,5 @@
 // Wants the faces to be wound consistently, too.
+// Hint: You refuse meshes that are not wound consistently.
 #include "exercises/04_topology/is_manifold.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Refuses two faces with the same corners.
+// Hint: You refuse two faces that have more in common than one edge.
 #include "exercises/04_topology/is_manifold.h"
 
 #include <algorithm>

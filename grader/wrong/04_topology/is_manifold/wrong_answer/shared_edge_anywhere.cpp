@@ -1,5 +1,6 @@
 // Links two faces at a vertex when they share an edge, even one that does not end
 // at this vertex.
+// Hint: At a vertex you link faces that have no edge in common there.
 #include "exercises/04_topology/is_manifold.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Takes the corner before and after for the two others of a triangle.
+// Hint: You take every face for a triangle.
 #include "exercises/04_topology/is_manifold.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Wants at most two border edges at each vertex: two closed fans have none.
+// Hint: You do not see several fans at a vertex where one of them is closed.
 #include "exercises/04_topology/is_manifold.h"
 
 #include <algorithm>

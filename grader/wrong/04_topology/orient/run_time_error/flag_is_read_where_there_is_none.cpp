@@ -1,4 +1,5 @@
 // Reads the flags of faces that no search has reached.
+// Hint: You look at the first part of the mesh only.
 #include "exercises/04_topology/orient.h"
 
 #include <algorithm>

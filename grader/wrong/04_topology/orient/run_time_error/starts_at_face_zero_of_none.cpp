@@ -1,4 +1,5 @@
 // Starts from face 0 of a mesh that has none.
+// Hint: You look at the first face of a mesh that has none.
 #include "exercises/04_topology/orient.h"
 
 #include <algorithm>

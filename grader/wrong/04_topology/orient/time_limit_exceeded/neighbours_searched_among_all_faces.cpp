@@ -1,4 +1,6 @@
 // Looks through all pairs of faces for those with a common edge.
+// Hint: Your answers are right, but the larger the mesh is, the longer you
+// search at every step.
 #include "exercises/04_topology/orient.h"
 
 #include <map>

@@ -1,4 +1,6 @@
 // Turns faces over as long as some do not agree: on a Moebius band for ever.
+// Hint: You go on turning faces over where no choice will do, and never come
+// to an end.
 #include "exercises/04_topology/orient.h"
 
 #include <algorithm>

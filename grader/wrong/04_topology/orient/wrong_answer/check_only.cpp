@@ -1,4 +1,5 @@
 // Says whether the mesh is consistent, and turns no face.
+// Hint: You find an answer only where nothing has to be turned over.
 #include "exercises/04_topology/orient.h"
 
 #include <set>

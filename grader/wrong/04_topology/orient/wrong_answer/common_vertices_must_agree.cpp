@@ -1,5 +1,6 @@
 // Compares faces at each common vertex by the corner before: a bow-tie is turned
 // for no reason, and then does not come out.
+// Hint: You find an answer only where nothing has to be turned over.
 #include "exercises/04_topology/orient.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Gives flags to all and never looks at a flag that is there already.
+// Hint: You do not notice when faces cannot agree.
 #include "exercises/04_topology/orient.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Returns no flags where there is no answer.
+// Hint: You give an empty list where there is no answer.
 #include "exercises/04_topology/orient.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Says "no answer" for a mesh without faces.
+// Hint: You say that there is no answer for a mesh without faces.
 #include "exercises/04_topology/orient.h"
 
 #include <algorithm>

@@ -1,4 +1,6 @@
 // Takes it for a proof when a face is met that has a flag, whatever the flag is.
+// Hint: You take it for a conflict when a face is met a second time, whatever
+// its flag is.
 #include "exercises/04_topology/orient.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Searches from face 0 only; what is not reached is left as it is.
+// Hint: You look at the first part of the mesh only.
 #include "exercises/04_topology/orient.h"
 
 #include <algorithm>

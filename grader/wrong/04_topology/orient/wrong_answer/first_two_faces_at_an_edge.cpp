@@ -1,4 +1,5 @@
 // Compares only the first two faces at an edge.
+// Hint: You accept edges with more than two faces.
 #include "exercises/04_topology/orient.h"
 
 #include <algorithm>

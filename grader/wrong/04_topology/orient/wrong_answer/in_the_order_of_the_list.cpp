@@ -1,4 +1,6 @@
 // Fits each face to those before it in the list, without a search.
+// Hint: You go through the faces once, in the order of the list; a flag may
+// have to come from further on.
 #include "exercises/04_topology/orient.h"
 
 #include <algorithm>

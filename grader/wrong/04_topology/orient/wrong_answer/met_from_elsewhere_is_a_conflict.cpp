@@ -1,4 +1,6 @@
 // Takes a ring of faces for a proof.
+// Hint: You take it for a conflict when a face is met a second time, whatever
+// its flag is.
 #include "exercises/04_topology/orient.h"
 
 #include <algorithm>

@@ -1,4 +1,6 @@
 // Turns those faces over whose normal points down.
+// Hint: You look at where the faces point; what counts is how neighbours run
+// along their edge.
 #include "exercises/04_topology/orient.h"
 
 std::optional<std::vector<bool>> orient(const IndexedMesh& mesh) {

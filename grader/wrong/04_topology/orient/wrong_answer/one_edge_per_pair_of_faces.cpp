@@ -1,4 +1,5 @@
 // Looks at one of the edges that two faces share, and not at the others.
+// Hint: You look at one edge that two faces share, and not at the others.
 #include "exercises/04_topology/orient.h"
 
 #include <algorithm>

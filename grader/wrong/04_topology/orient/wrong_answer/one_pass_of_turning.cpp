@@ -1,4 +1,6 @@
 // Goes once over the edges and turns the second face where both run alike.
+// Hint: You go through the faces once, in the order of the list; a flag may
+// have to come from further on.
 #include "exercises/04_topology/orient.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Takes a side without a neighbour for a fault.
+// Hint: You refuse meshes with a border.
 #include "exercises/04_topology/orient.h"
 
 #include <algorithm>

@@ -1,5 +1,6 @@
 // Turns the neighbour whenever both run alike, whether or not the face itself is to
 // be turned.
+// Hint: Your flags go wrong behind a face that is to be turned over.
 #include "exercises/04_topology/orient.h"
 
 #include <algorithm>

@@ -1,5 +1,6 @@
 // Compares each face at an edge with the one before: three may run forth, back and
 // forth.
+// Hint: You accept edges with more than two faces.
 #include "exercises/04_topology/orient.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Makes lists to count what is in them, with room for a thousand at each corner.
+// Hint: You make room for what was only to be counted.
 #include "exercises/04_topology/storage.h"
 
 #include <vector>

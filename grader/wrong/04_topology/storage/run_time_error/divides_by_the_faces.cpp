@@ -1,4 +1,5 @@
 // Works out the corners of a face, and there may be no face.
+// Hint: You have no answer for a mesh without faces.
 #include "exercises/04_topology/storage.h"
 
 Storage storage(const Counts& n, int corners) {

@@ -1,4 +1,5 @@
 // Throws where there is no face.
+// Hint: You have no answer for a mesh without faces.
 #include "exercises/04_topology/storage.h"
 
 #include <stdexcept>

@@ -1,4 +1,5 @@
 // Takes 12 E for the lists: on open meshes edges have fewer faces.
+// Hint: You are right where there is no border, and wrong at every border.
 #include "exercises/04_topology/storage.h"
 
 Storage storage(const Counts& n, int corners) {

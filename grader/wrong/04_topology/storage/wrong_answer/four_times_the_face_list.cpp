@@ -1,4 +1,5 @@
 // Knows that a half-edge table is four times as long: on closed meshes.
+// Hint: You are right where there is no border, and wrong at every border.
 #include "exercises/04_topology/storage.h"
 
 Storage storage(const Counts& n, int corners) {

@@ -1,4 +1,5 @@
 // Leaves the half-edges of the border out.
+// Hint: You are right where there is no border, and wrong at every border.
 #include "exercises/04_topology/storage.h"
 
 Storage storage(const Counts& n, int corners) {

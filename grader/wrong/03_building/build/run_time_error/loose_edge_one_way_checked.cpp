@@ -1,5 +1,5 @@
 // Compares a loose edge with the sides that run its own way only.
-// Hint: You accept loose edges where there can be none.
+// Hint: You accept a loose edge where there can be none.
 #include "exercises/03_building/build.h"
 
 #include <algorithm>

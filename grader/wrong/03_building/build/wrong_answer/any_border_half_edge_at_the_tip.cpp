@@ -1,5 +1,5 @@
 // Takes any border half-edge that leaves the tip; at a bow-tie one is taken twice.
-// Hint: Where the border comes to a vertex several times, two of your
+// Hint: Where the border meets a vertex more than once, two of your
 // half-edges lead to the same next.
 #include "exercises/03_building/build.h"
 

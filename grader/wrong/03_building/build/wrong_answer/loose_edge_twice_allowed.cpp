@@ -1,5 +1,5 @@
 // A loose edge may run where another edge is.
-// Hint: You accept loose edges where there can be none.
+// Hint: You accept a loose edge where there can be none.
 #include "exercises/03_building/build.h"
 
 #include <algorithm>

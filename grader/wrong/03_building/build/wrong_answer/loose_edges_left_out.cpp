@@ -1,5 +1,5 @@
 // Builds the faces only.
-// Hint: You leave out the loose edges.
+// Hint: You leave out every loose edge.
 #include "exercises/03_building/build.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // Both ends in one int: large vertex numbers run into each other.
-// Hint: With large vertex numbers you take two different edges for the same.
+// Hint: Where numbers of vertices are large, you take two different edges for the same.
 #include "exercises/03_building/edges.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // Takes the mesh for closed when V - E + F is 2.
 // Hint: You know closed meshes of one kind only; they may have handles, or
-// several components.
+// more than one component.
 #include "exercises/04_topology/is_closed.h"
 
 #include <set>

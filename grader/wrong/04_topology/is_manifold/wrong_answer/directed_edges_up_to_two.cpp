@@ -1,5 +1,5 @@
 // Takes (a, b) and (b, a) for two edges, each of which may have two faces.
-// Hint: You accept edges with more than two faces.
+// Hint: You accept an edge that has more than two faces.
 #include "exercises/04_topology/is_manifold.h"
 
 #include <algorithm>

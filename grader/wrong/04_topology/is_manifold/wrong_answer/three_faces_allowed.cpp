@@ -1,5 +1,5 @@
 // Compares with 2 before the face is counted.
-// Hint: You accept edges with more than two faces.
+// Hint: You accept an edge that has more than two faces.
 #include "exercises/04_topology/is_manifold.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // Asks the vertices and not the edges: three faces at an edge are one fan, too.
-// Hint: You accept edges with more than two faces.
+// Hint: You accept an edge that has more than two faces.
 #include "exercises/04_topology/is_manifold.h"
 
 #include <algorithm>

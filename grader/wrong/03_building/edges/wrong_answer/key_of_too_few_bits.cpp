@@ -1,5 +1,5 @@
 // Both ends in one int: large vertex numbers run into each other.
-// Hint: Where numbers of vertices are large, you take two different edges for the same.
+// Hint: Where numbers of vertices are large, you take two edges for one.
 #include "exercises/03_building/edges.h"
 
 #include <algorithm>

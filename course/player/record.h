@@ -50,7 +50,7 @@ void require_can_be_shown(const Exercise& exercise);
 std::string what_can_be_shown();
 
 /// Builds what recording their walks needs, if something is missing or old.
-/// Throws SystemError.
+/// Precondition: they can be shown. Throws SystemError.
 void make_ready_to_record(const std::vector<Exercise>& exercises);
 
 /// Records the reference and the file; precondition: it was made ready. A walk

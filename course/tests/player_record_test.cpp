@@ -20,8 +20,9 @@ namespace {
 
 Recording recorded_with(const std::string& exercise,
                         const RecordOptions& options) {
-    make_ready_to_record({exercise_named(exercise)});
-    return record(exercise_named(exercise), options);
+    const Exercise found = exercise_named(exercise);
+    if (can_be_shown(found)) make_ready_to_record({found});
+    return record(found, options);
 }
 
 /// A student's file of face_sides, with this for its body.

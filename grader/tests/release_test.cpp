@@ -315,7 +315,7 @@ TEST_CASE("an empty folder is taken, with a slash at its end, too") {
     CHECK(names_in(folder.path()) == std::set<std::string>{"empty"});
 }
 
-TEST_CASE("the copy builds and checks on its own", "[slow]") {
+TEST_CASE("the copy builds and checks on its own", "[.slow]") {
     const course::TemporaryFolder folder;
     const fs::path made = folder / "copy";
     const auto before = std::set<std::string>{"assignment.toml", "copy"};

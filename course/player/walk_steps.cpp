@@ -44,7 +44,8 @@ LineReached line_reached(std::string_view text) {
 
 // ---- what the recorder wrote
 
-constexpr int most_rows = 1 << 20;
+// Of a mesh of a million faces, and then some.
+constexpr int most_rows = 1 << 23;
 
 void require(bool sound) {
     if (!sound) throw CodecError("a recorded event names what cannot be");

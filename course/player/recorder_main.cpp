@@ -203,9 +203,14 @@ void run(char** argv) {
         out << encode(std::uint64_t{bytes.size()}) << bytes << std::flush;
     };
     write(encode(static_cast<std::uint32_t>(entry.start)) + encode(starts));
+    // Each call writes the table that it was given, and may copy it.
+    const auto table_kib =
+        static_cast<int>(order.rows.size() * sizeof(HalfEdge) >> 10) + 1;
     Limits limits;
     limits.cpu_seconds = 60;
-    limits.output_kib = 1 << 16;
+    limits.output_kib =
+        (1 << 16) + 2 * table_kib * static_cast<int>(starts.size());
+    limits.memory_mib += 16 * table_kib >> 10;
     limits.cpu_ms = 60'000;
     set_limits(limits);
     const char here = 0;

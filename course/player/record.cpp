@@ -26,7 +26,8 @@ constexpr std::size_t most_steps = 400;            // of a walk
 constexpr std::size_t most_steps_together = 2400;  // of a recording
 constexpr std::size_t least_steps = 40;            // of a walk that is cut;
                                                    // less where steps are large
-constexpr std::size_t most_bytes = 110'000;        // of a recording as JSON
+constexpr std::size_t most_bytes = 110'000;        // in the page, without a
+                                                   // large mesh
 
 /// One file, compiled, and what it is called.
 struct Submission {
@@ -308,7 +309,7 @@ Recording record(const Exercise& exercise, const RecordOptions& options) {
         shorten(recording, most, least);
         most = most / 4 * 3;
         least = least / 4 * 3;
-    } while (least > 1 && to_json(recording).size() > most_bytes);
+    } while (least > 1 && page_json(recording).size() > most_bytes);
     return recording;
 }
 

@@ -71,17 +71,25 @@ Json mesh_of(const Recording& recording) {
                          {"table", recording.table}});
 }
 
-}  // namespace
-
-std::string to_json(const Recording& recording, WithMesh with_mesh) {
+std::string text_of(const Recording& recording, bool with_mesh) {
     Json object = Json::object({{"exercise", recording.exercise},
                                 {"topic", recording.topic},
                                 {"title", recording.title},
                                 {"starts", recording.start_kind}});
-    if (with_mesh == WithMesh::yes) object.add("mesh", mesh_of(recording));
+    if (with_mesh) object.add("mesh", mesh_of(recording));
     object.add("sources", list_of(recording.sources))
         .add("walks", list_of(recording.walks));
     return object.text() + "\n";
+}
+
+}  // namespace
+
+std::string to_json(const Recording& recording) {
+    return text_of(recording, true);
+}
+
+std::string page_json(const Recording& recording) {
+    return text_of(recording, recording.mesh.faces.size() <= most_drawn_faces);
 }
 
 void shorten(Recording& recording, std::size_t most, std::size_t least) {

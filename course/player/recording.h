@@ -73,14 +73,18 @@ struct Recording {
     std::vector<std::string> notes;
 };
 
-/// Whether mesh and table of a recording go with it.
-enum class WithMesh { no, yes };
+/// Above that many faces a drawing of the whole mesh with all its arrows shows
+/// nothing: the page has the mesh in 3D, and arrows near to where a walk is.
+inline constexpr int most_drawn_faces = 200;
 
 /// As course/player/page expects it. Fields of a step: l line, c [from, to], i,
 /// f field, v value, w value before (of a write), d locals, fn function, new
 /// (row that is added), n (rows that are left), o (read in the original).
-std::string to_json(const Recording& recording,
-                    WithMesh with_mesh = WithMesh::yes);
+std::string to_json(const Recording& recording);
+
+/// The same as the page carries it: of more than most_drawn_faces, mesh and
+/// table are left out, for large_mesh.h has a shorter way to say them.
+std::string page_json(const Recording& recording);
 
 /// Cuts the longest walks so that all have about `most` steps together, but
 /// none to less than `least`: what is cut is counted as skipped.

@@ -8,7 +8,7 @@ namespace course {
 std::string walk_page(const Recording& recording) {
     if (recording.mesh.faces.size() > most_drawn_faces)
         return large_mesh_page(recording.title, recording.mesh,
-                               to_json(recording, WithMesh::no));
+                               page_json(recording));
     return make_page(
         {.title = recording.title,
          .styles = {"base.css", "mesh.css", "parts.css", "walk.css"},
@@ -16,7 +16,7 @@ std::string walk_page(const Recording& recording) {
          .scripts = {"svg.js", "layout.js", "labels.js", "mesh.js", "table.js",
                      "code.js", "stepper.js", "steps.js", "say.js", "words.js",
                      "compare.js", "walk.js"},
-         .data = to_json(recording)});
+         .data = page_json(recording)});
 }
 
 }  // namespace course

@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <fstream>
 
+#include "course/halfedge/build.h"
+#include "course/mesh/generators.h"
 #include "course/runner/catch2.h"
 #include "course/runner/process.h"
 #include "course/runner/temporary_folder.h"
@@ -43,9 +45,12 @@ public:
     }
     Recording recording(std::optional<int> start, bool locals = false) const {
         RecordOptions options;
-        options.file = file_;
         if (start) options.starts = {*start};
         options.locals = locals;
+        return recording(options);
+    }
+    Recording recording(RecordOptions options) const {
+        options.file = file_;
         return recorded_with("face_sides", options);
     }
 
@@ -291,6 +296,18 @@ TEST_CASE("an endless walk is recorded up to its budget, in a small page") {
     CHECK(to_json(recording).size() < 100'000);
     CHECK(texts_of(Written("    for (;;) i = he[i].next;\n").walk(3)).size() ==
           400);
+}
+
+TEST_CASE("the size of a large mesh takes no steps from its walks") {
+    RecordOptions options;
+    const IndexedMesh mesh = torus(20, 60);
+    options.mesh = Fixture{"torus", mesh, build(mesh)};
+    options.starts = {0, 1, 2, 3, 4};
+    const Recording recording =
+        Written("    for (;;) i = he[i].next;\n").recording(options);
+    CHECK(to_json(recording).size() > 150'000);
+    CHECK(page_json(recording).size() < 110'000);
+    CHECK(recording.walks.back().steps.size() == 400);
 }
 
 TEST_CASE("what does not exist ends the walk with the checker's message") {

@@ -8,8 +8,9 @@
 #include <array>
 #include <chrono>
 #include <cstdio>
-#include <optional>
-#include <sstream>
+#include <vector>
+
+#include "course/report/compiler_messages.h"
 
 namespace course {
 
@@ -49,21 +50,11 @@ private:
     struct sigaction terminated_ {};
 };
 
-/// Of a compiler's line "walk.cpp:12:5: error: expected ';'".
-std::optional<std::string> error_in(const std::string& line) {
-    for (const std::string word : {": error: ", ": fatal error: "}) {
-        const auto end = line.find(word);
-        if (end == std::string::npos) continue;
-        const std::string place = line.substr(0, end);
-        const auto column = place.rfind(':');
-        const auto number = place.substr(0, column).rfind(':');
-        if (column == std::string::npos || number == std::string::npos)
-            continue;
-        return fmt::format("line {}: {}",
-                           place.substr(number + 1, column - number - 1),
-                           line.substr(end + word.size()));
-    }
-    return std::nullopt;
+/// Of its place, "walk.cpp:12:5".
+std::string line_of(const CompilerMessage& message) {
+    const std::string file_and_line =
+        message.place.substr(0, message.place.rfind(':'));
+    return file_and_line.substr(file_and_line.rfind(':') + 1);
 }
 
 void make_anew(PageServer& server, const MakePage& make) {
@@ -93,10 +84,10 @@ bool wait_for_save(FileWatch& file, int stop) {
 }
 
 std::string large_sentence(const std::string& messages) {
-    std::istringstream lines(messages);
-    for (std::string line; std::getline(lines, line);)
-        if (auto sentence = error_in(line)) return *sentence;
-    return messages.substr(0, messages.find('\n'));
+    const std::vector<CompilerMessage> all = compiler_messages(messages);
+    if (all.empty() || !all.front().is_error)
+        return messages.substr(0, messages.find('\n'));
+    return fmt::format("line {}: {}", line_of(all.front()), all.front().text);
 }
 
 void follow(FileWatch& file, PageServer& server, const MakePage& make,

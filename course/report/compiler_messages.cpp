@@ -115,13 +115,15 @@ std::optional<Place> place_of(const std::string& line) {
 /// "file:line:column" where the line says what led to a message in a header.
 std::string cause_in(const std::string& line) {
     static const std::regex form(
-        "^([^ :][^:]*[.]cpp:[0-9]+:[0-9]+): +(?:required|note: in inst).*$");
+        "^([^ :][^:]*[.](?:cpp|cc|cxx):[0-9]+:[0-9]+): +(?:required|note: in "
+        "inst).*$");
     std::smatch parts;
     return std::regex_match(line, parts, form) ? parts[1].str() : "";
 }
 
 bool is_own(const std::string& file) {
-    return file.ends_with(".cpp");
+    return file.ends_with(".cpp") || file.ends_with(".cc") ||
+           file.ends_with(".cxx");
 }
 
 /// Lines that are neither a message nor a piece of source.

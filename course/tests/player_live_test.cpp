@@ -365,6 +365,11 @@ TEST_CASE("the large sentence is the first error, with its line") {
     CHECK(
         large_sentence("a b.cpp:1:10: fatal error: x.h: No such file\nmore") ==
         "line 1: x.h: No such file");
+    // In a header: the line that led there.
+    CHECK(large_sentence("algorithm.h:90:5:   required from 'void sort(T)'\n"
+                         "walk.cpp:7:14:   required from here\n"
+                         "algorithm.h:1950:22: error: no match for '<'\n") ==
+          "line 7: no match for '<'");
     CHECK(large_sentence("the first line\nthe second") == "the first line");
     CHECK(large_sentence(": error: \n") == ": error: ");
     CHECK(large_sentence("12: error: x") == "12: error: x");

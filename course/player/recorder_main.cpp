@@ -6,7 +6,6 @@
 #include <sys/time.h>
 #include <unistd.h>
 
-#include <cxxabi.h>
 #include <fmt/format.h>
 #include <csetjmp>
 #include <csignal>
@@ -14,11 +13,11 @@
 #include <fstream>
 #include <iterator>
 #include <numeric>
-#include <typeinfo>
 
 #include "course/halfedge/table_errors.h"
 #include "course/player/recorded_call.h"
 #include "course/player/walk_entry.h"
+#include "course/runner/exception_type.h"
 #include "course/runner/set_limits.h"
 #include "course/runner/signal_text.h"
 
@@ -81,13 +80,7 @@ std::string text_of_end(int signal, int ms) {
 }
 
 std::string text_of_exception(const char* what) {
-    const std::type_info* type = abi::__cxa_current_exception_type();
-    int status = 0;
-    char* plain = type == nullptr ? nullptr
-                                  : abi::__cxa_demangle(type->name(), nullptr,
-                                                        nullptr, &status);
-    const std::string name = plain != nullptr ? plain : "an unknown type";
-    std::free(plain);
+    const std::string name = type_of_exception();
     return *what == '\0' ? "throws " + name
                          : fmt::format("throws {}: {:.4096}", name, what);
 }

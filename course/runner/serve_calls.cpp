@@ -5,7 +5,6 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
-#include <cxxabi.h>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
@@ -14,11 +13,11 @@
 #include <iostream>
 #include <new>
 #include <optional>
-#include <typeinfo>
 
 #include "course/halfedge/copies.h"
 #include "course/halfedge/table_errors.h"
 #include "course/runner/descriptors.h"
+#include "course/runner/exception_type.h"
 #include "course/runner/launcher.h"
 #include "course/runner/protocol.h"
 #include "course/runner/worker.h"
@@ -137,16 +136,6 @@ Writer trace_of(const WorkerCall& call) {
     put(out, reads);
     put(out, visits);
     return out;
-}
-
-std::string type_of_exception() {
-    const std::type_info* type = abi::__cxa_current_exception_type();
-    if (type == nullptr) return "an unknown type";
-    int status = 0;
-    char* plain = abi::__cxa_demangle(type->name(), nullptr, nullptr, &status);
-    std::string text = plain != nullptr ? plain : type->name();
-    std::free(plain);
-    return text;
 }
 
 /// The start of a text of the submission; it may be of any length.

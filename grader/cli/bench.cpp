@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cstdio>
 #include <map>
-#include <thread>
 
 #include "course/report/text.h"
+#include "course/runner/pool.h"
 #include "grader/cli/commands.h"
 
 namespace grader {
@@ -63,11 +63,8 @@ void JudgingOptions::add_to(CLI::App& app) {
 
 Bench::Bench(const JudgingOptions& options)
     : isolation_(isolation_for(options, stage_)),
-      jobs_(options.jobs > 0
-                ? options.jobs
-                : std::clamp(
-                      static_cast<int>(std::thread::hardware_concurrency()), 1,
-                      64)) {}
+      jobs_(options.jobs > 0 ? options.jobs
+                             : std::min(course::core_count(), 64)) {}
 
 std::string Bench::isolation_text() const {
     if (isolation_ == Isolation::none) return std::string(words(isolation_));

@@ -4,9 +4,7 @@
 #include <algorithm>
 
 #include "course/report/text.h"
-#include "course/runner/exercises.h"
-#include "grader/cli/commands.h"
-#include "grader/pipeline/assignment.h"
+#include "grader/cli/class_session.h"
 
 namespace grader {
 
@@ -76,24 +74,20 @@ std::string summary(const Assignment& assignment) {
 }
 
 /// Prints what is in the file, or all that is wrong with it.
-bool is_good(const std::filesystem::path& file,
-             const std::vector<std::string>& known) {
+bool is_good(const std::filesystem::path& file) {
     try {
-        fmt::print("{}", summary(read_assignment(file, known)));
+        fmt::print("{}", summary(*assignment_in(file)));
         return true;
-    } catch (const AssignmentError& error) {
+    } catch (const CannotBegin& error) {
         fmt::print(stderr, "{}\n", error.what());
         return false;
     }
 }
 
 int check_command(const std::vector<std::filesystem::path>& files) {
-    std::vector<std::string> known;
-    for (const course::Exercise& exercise : course::all_exercises())
-        known.push_back(exercise.full_name());
     bool good = true;
     for (const std::filesystem::path& file : files)
-        good = is_good(file, known) && good;
+        good = is_good(file) && good;
     return good ? 0 : 1;
 }
 

@@ -3,6 +3,7 @@
 
 #include "course/mesh/file_defects.h"
 #include "grader/cli/class_session.h"
+#include "grader/cli/past_results.h"
 #include "grader/report/canvas_gradebook.h"
 #include "grader/report/class_summary.h"
 #include "grader/report/moodle_worksheet.h"
@@ -70,24 +71,16 @@ bool fill(const fs::path& table, const fs::path& to, const Fill& fill_in) {
     }
 }
 
-Assignment assignment_of(const Options& options, const Gradebook& gradebook) {
-    if (auto assignment = assignment_in(options.assignment))
-        return std::move(*assignment);
-    std::vector<std::string> names;
-    if (const auto run = gradebook.last_run())
-        for (const Suite& suite : run->suites) names.push_back(suite.exercise);
-    return default_assignment(names);
-}
-
 int export_command(const Options& options) {
     if (options.moodle.empty() && options.canvas.empty() &&
         options.json.empty())
         throw CannotBegin("--moodle, --canvas or --json: export to what?");
     if (!options.to.empty() && options.moodle.empty() == options.canvas.empty())
         throw CannotBegin("--to is for one table: --moodle or --canvas");
-    const Gradebook gradebook(options.out / "gradebook.sqlite",
-                              Gradebook::Access::read);
-    const Assignment assignment = assignment_of(options, gradebook);
+    const Gradebook gradebook = gradebook_in(options.out);
+    const auto chosen = assignment_in(options.assignment);
+    const Assignment assignment =
+        chosen ? *chosen : unweighted_assignment(gradebook);
     if (!options.json.empty())
         course::replace_text(options.json, results_json(gradebook, assignment));
     const ClassSummary results = summary_of(gradebook, assignment);

@@ -39,6 +39,13 @@ Gradebook gradebook_in(const std::filesystem::path& out,
     return Gradebook(out / "gradebook.sqlite", access);
 }
 
+Assignment unweighted_assignment(const Gradebook& gradebook) {
+    std::vector<std::string> names;
+    if (const auto run = gradebook.last_run())
+        for (const Suite& suite : run->suites) names.push_back(suite.exercise);
+    return default_assignment(names);
+}
+
 const Student& student_named(const Run& run, const std::string& name) {
     if (const Student* found = find_student(run.students, name)) return *found;
     std::vector<std::string> ids;

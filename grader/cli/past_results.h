@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "grader/gradebook/gradebook.h"
+#include "grader/pipeline/assignment.h"
 
 namespace grader {
 
@@ -15,6 +16,9 @@ void expect_gradebook(const std::filesystem::path& out);
 /// The gradebook of that folder. Throws CannotBegin and GradebookError.
 Gradebook gradebook_in(const std::filesystem::path& out,
                        Gradebook::Access access = Gradebook::Access::read);
+
+/// What the newest run graded, with weight 1 each.
+Assignment unweighted_assignment(const Gradebook& gradebook);
 
 /// The student of that id or folder name. Throws CannotBegin, which names the
 /// nearest right one.

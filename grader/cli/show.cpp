@@ -18,17 +18,10 @@ struct Options {
     bool history = false;
 };
 
-Assignment assignment_of(const Gradebook& gradebook) {
-    std::vector<std::string> names;
-    if (const auto run = gradebook.last_run())
-        for (const Suite& suite : run->suites) names.push_back(suite.exercise);
-    return default_assignment(names);
-}
-
 int show_command(const Options& options) {
     const Gradebook gradebook = gradebook_in(options.out);
     const GradedAssignment graded =
-        graded_assignment(gradebook, assignment_of(gradebook));
+        graded_assignment(gradebook, unweighted_assignment(gradebook));
     const Student& student = student_named(graded.run, options.student);
     fmt::print("{}",
                student_text(graded, student_results(gradebook, graded, student),

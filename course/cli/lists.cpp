@@ -3,10 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <map>
 #include <regex>
 #include <sstream>
+
+#include "course/mesh/ascii.h"
 
 namespace course {
 
@@ -32,14 +33,6 @@ std::string bar(Count count) {
     std::string text;
     for (int k = 0; k < columns; ++k) text += k < full ? "█" : "·";
     return text;
-}
-
-std::string lower(std::string_view text) {
-    std::string result(text);
-    std::transform(result.begin(), result.end(), result.begin(), [](char c) {
-        return static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    });
-    return result;
 }
 
 std::string plain_line(const std::string& line) {
@@ -72,11 +65,11 @@ std::vector<Listed> all_listed(Language language) {
 
 std::vector<Listed> found_by(std::string_view words,
                              const std::vector<Listed>& among) {
-    const std::string wanted = lower(words);
+    const std::string wanted = ascii_lower(words);
     std::vector<Listed> found;
     for (const Listed& one : among)
-        if (lower(one.exercise.topic + " " + one.exercise.name + " " +
-                  one.title)
+        if (ascii_lower(one.exercise.topic + " " + one.exercise.name + " " +
+                        one.title)
                 .find(wanted) != std::string::npos)
             found.push_back(one);
     return found;

@@ -5,6 +5,7 @@
 
 #include <string>
 
+#include "course/mesh/ascii.h"
 #include "course/mesh/obj.h"
 #include "course/mesh/off.h"
 #include "course/mesh/ply.h"
@@ -13,12 +14,8 @@ namespace course {
 
 namespace {
 
-/// The extension, in small letters.
 std::string kind_of(const std::filesystem::path& file) {
-    std::string kind = file.extension().string();
-    for (char& c : kind)
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-    return kind;
+    return ascii_lower(file.extension().string());
 }
 
 [[noreturn]] void refuse(const std::filesystem::path& file,

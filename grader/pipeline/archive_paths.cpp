@@ -6,6 +6,7 @@
 #include <array>
 #include <utility>
 
+#include "course/mesh/ascii.h"
 #include "grader/pipeline/archive.h"
 
 namespace grader {
@@ -24,19 +25,16 @@ constexpr std::array<std::pair<std::string_view, ArchiveFormat>, 7> endings = {{
     {".tar.zst", ArchiveFormat::tar},
 }};
 
-char small(char c) {
-    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-}
-
 /// A name must stand before the ending: ".zip" alone names no archive.
 bool ends_in(std::string_view name, std::string_view ending) {
     return name.size() > ending.size() &&
-           std::equal(ending.rbegin(), ending.rend(), name.rbegin(),
-                      [](char a, char b) { return a == small(b); });
+           std::equal(
+               ending.rbegin(), ending.rend(), name.rbegin(),
+               [](char a, char b) { return a == course::ascii_lower(b); });
 }
 
 bool has_drive(std::string_view path) {
-    const char letter = path.empty() ? '\0' : small(path[0]);
+    const char letter = path.empty() ? '\0' : course::ascii_lower(path[0]);
     return path.size() > 1 && path[1] == ':' && letter >= 'a' && letter <= 'z';
 }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "course/mesh/ascii.h"
+
 namespace grader {
 
 namespace {
@@ -13,10 +15,6 @@ bool is_digit(char c) {
 
 bool is_letter(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
-}
-
-char small(char c) {
-    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
 }
 
 /// Takes what stands at the begin of `text` as long as it `is` so.
@@ -36,8 +34,7 @@ bool take(std::string_view& text, std::string_view word) {
 }
 
 bool equal_in_small(std::string_view a, std::string_view b) {
-    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                      [](char x, char y) { return small(x) == small(y); });
+    return course::ascii_lower(a) == course::ascii_lower(b);
 }
 
 // ---- Moodle

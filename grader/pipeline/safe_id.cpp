@@ -8,6 +8,8 @@
 #include <map>
 #include <set>
 
+#include "course/mesh/ascii.h"
+
 namespace grader {
 
 namespace {
@@ -26,20 +28,14 @@ bool is_harmless(char c) {
     return is_alphanumeric(c) || c == '.' || c == '_' || c == '-';
 }
 
-std::string lower(std::string_view text) {
-    std::string small(text);
-    for (char& c : small)
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-    return small;
-}
-
 /// CON, COM1.txt and so on name devices on Windows.
 bool is_reserved(std::string_view name) {
     static const std::set<std::string> devices = {
         "con",  "prn",  "aux",  "nul",  "com0", "com1", "com2", "com3",
         "com4", "com5", "com6", "com7", "com8", "com9", "lpt0", "lpt1",
         "lpt2", "lpt3", "lpt4", "lpt5", "lpt6", "lpt7", "lpt8", "lpt9"};
-    return devices.contains(lower(name.substr(0, name.find('.'))));
+    return devices.contains(
+        course::ascii_lower(name.substr(0, name.find('.'))));
 }
 
 std::string hash(std::string_view text) {
@@ -87,14 +83,15 @@ std::string safe_id(std::string_view name) {
 
 std::vector<std::string> safe_ids(const std::vector<std::string>& names) {
     std::map<std::string, int> wanted;
-    for (const std::string& name : names) ++wanted[lower(safe_id(name))];
+    for (const std::string& name : names)
+        ++wanted[course::ascii_lower(safe_id(name))];
     std::vector<std::string> ids;
     std::set<std::string> taken;
     for (const std::string& name : names) {
         std::string id = safe_id(name);
-        if (wanted[lower(id)] > 1) id = hashed_id(name);
+        if (wanted[course::ascii_lower(id)] > 1) id = hashed_id(name);
         const std::string wish = id;
-        for (int n = 2; !taken.insert(lower(id)).second; ++n)
+        for (int n = 2; !taken.insert(course::ascii_lower(id)).second; ++n)
             id = fmt::format("{}.{}", wish, n);  // equal hashes
         ids.push_back(id);
     }

@@ -3,18 +3,12 @@
 #include <algorithm>
 #include <array>
 
+#include "course/mesh/ascii.h"
 #include "course/runner/nearest.h"
 
 namespace grader {
 
 namespace {
-
-std::string lower(std::string_view text) {
-    std::string small(text);
-    for (char& c : small)
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-    return small;
-}
 
 bool strip_suffix(std::string& text, std::string_view suffix) {
     if (!text.ends_with(suffix)) return false;
@@ -25,7 +19,8 @@ bool strip_suffix(std::string& text, std::string_view suffix) {
 /// "face_sides" of "Face-Sides (1).cpp.txt": what a copy, a browser or a file
 /// manager adds is taken away.
 std::string bare_stem(std::string_view file_name) {
-    std::string stem = lower(file_name.substr(0, file_name.find('.')));
+    std::string stem =
+        course::ascii_lower(file_name.substr(0, file_name.find('.')));
     for (char& c : stem)
         if (c == ' ' || c == '-') c = '_';
     strip_suffix(stem, "copy");

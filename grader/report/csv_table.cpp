@@ -6,6 +6,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "course/mesh/ascii.h"
 #include "course/report/text.h"
 
 namespace grader {
@@ -13,10 +14,6 @@ namespace grader {
 namespace {
 
 constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-
-char small(char c) {
-    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-}
 
 bool is_blank(char c) {
     return c == ' ' || c == '\t' || c == '\r' || c == '\n' || c == '_';
@@ -213,7 +210,7 @@ std::string plain_name(std::string_view name) {
     std::string plain;
     for (const char c : name) {
         if (!is_blank(c))
-            plain += small(c);
+            plain += course::ascii_lower(c);
         else if (!plain.empty() && plain.back() != ' ')
             plain += ' ';
     }

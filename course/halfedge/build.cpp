@@ -246,18 +246,26 @@ std::string lines_of(const std::vector<Defect>& defects) {
 
 // ---- the table itself
 
+/// Calls use(begin, end) with the corners of each face, in order.
+template <class Use>
+void for_each_face(const FaceList& faces, Use use) {
+    const int* const corners = faces.corners().data();
+    const int* begin = corners;
+    for (const std::size_t end : faces.ends()) {
+        use(begin, corners + end);
+        begin = corners + end;
+    }
+}
+
 /// Calls use(from, to) for each side of a face and each loose edge, in order:
 /// side k begins at corner k of the list of corners.
 template <class Use>
 void for_each_side(const IndexedMesh& mesh, Use use) {
-    const int* const corners = mesh.faces.corners().data();
-    const int* corner = corners;
-    for (const std::size_t end : mesh.faces.ends()) {
-        const int* const last = corners + end - 1;
+    for_each_face(mesh.faces, [&](const int* corner, const int* end) {
         const int first = *corner;
-        for (; corner != last; ++corner) use(corner[0], corner[1]);
-        use(*corner++, first);
-    }
+        for (; corner + 1 != end; ++corner) use(corner[0], corner[1]);
+        use(*corner, first);
+    });
     for (const auto& [from, to] : mesh.loose_edges) use(from, to);
 }
 
@@ -266,13 +274,12 @@ bool are_sound(const IndexedMesh& mesh) {
     const std::vector<int>& corners = mesh.faces.corners();
     if (!std::all_of(corners.begin(), corners.end(), is_sound_vertex))
         return false;
-    std::size_t begin = 0;
-    for (const std::size_t end : mesh.faces.ends()) {
-        if (!has_distinct_corners({corners.data() + begin, end - begin}))
-            return false;
-        begin = end;
-    }
-    return std::all_of(mesh.loose_edges.begin(), mesh.loose_edges.end(),
+    bool are_distinct = true;
+    for_each_face(mesh.faces, [&](const int* begin, const int* end) {
+        are_distinct = are_distinct && has_distinct_corners({begin, end});
+    });
+    return are_distinct &&
+           std::all_of(mesh.loose_edges.begin(), mesh.loose_edges.end(),
                        [&](const auto& edge) {
                            return edge[0] != edge[1] &&
                                   is_sound_vertex(edge[0]) &&
@@ -377,7 +384,9 @@ public:
     Builder(const IndexedMesh& mesh, std::vector<HalfEdge> rows,
             std::vector<int> sides)
         : rows_(std::move(rows)), sides_(std::move(sides)) {
-        add_faces(mesh.faces);
+        for_each_face(mesh.faces, [&](const int* begin, const int* end) {
+            add_face(begin, end);
+        });
         for (const auto& [from, to] : mesh.loose_edges) add_edge(from, to, -1);
         if (rows_.size() != mesh.faces.corners().size())
             link_borders(mesh.positions.size());
@@ -409,15 +418,6 @@ private:
         }
         ++side_;
         return other;
-    }
-
-    void add_faces(const FaceList& faces) {
-        const int* const corners = faces.corners().data();
-        const int* corner = corners;
-        for (const std::size_t end : faces.ends()) {
-            add_face(corner, corners + end);
-            corner = corners + end;
-        }
     }
 
     void add_face(const int* corner, const int* end) {

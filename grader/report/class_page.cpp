@@ -370,7 +370,7 @@ Html stuck_row(const ClassSummary& results, const Stuck& one) {
         R"(<td class="n">{}</td><td class="n">{} of {}</td>)"
         R"(<td class="when">{}</td></tr>)"
         "\n",
-        results.run.students[one.student].name,
+        shown_name(results.run.students[one.student]),
         short_name(results.exercises[one.exercise].exercise), one.attempts,
         one.in_vain, course::points_text(one.best),
         course::points_text(max_points(results, one.exercise)),
@@ -476,7 +476,7 @@ Html names_of(const ClassSummary& results,
     Html names;
     for (std::size_t k = 0; k < students.size(); ++k)
         names += markup("{}<bdi>{}</bdi>", k == 0 ? "" : ", ",
-                        results.run.students[students[k]].name);
+                        shown_name(results.run.students[students[k]]));
     return names;
 }
 

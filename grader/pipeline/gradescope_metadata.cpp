@@ -34,13 +34,14 @@ std::string text_of(const YAML::Node& map, const char* key) {
                                      : "";
 }
 
-/// For each map of a list, what `read` makes of it.
-template <class Read>
-void for_each_map(const YAML::Node& list, Read read) {
-    if (!list || !list.IsSequence()) return;
-    std::size_t count = 0;
-    for (const YAML::Node& one : list)
-        if (one.IsMap() && ++count <= most_in_a_list) read(one);
+std::vector<Member> members_in(const YAML::Node& list) {
+    std::vector<Member> members;
+    if (!list || !list.IsSequence()) return members;
+    for (const YAML::Node& who : list)
+        if (who.IsMap() && members.size() < most_in_a_list)
+            members.push_back({text_of(who, ":name"), text_of(who, ":sid"),
+                               text_of(who, ":email")});
+    return members;
 }
 
 GradescopeSubmission submission_of(const std::string& folder,
@@ -48,13 +49,7 @@ GradescopeSubmission submission_of(const std::string& folder,
     GradescopeSubmission one;
     one.folder = folder;
     one.created_at = text_of(facts, ":created_at");
-    for_each_map(facts[":submitters"], [&](const YAML::Node& who) {
-        one.submitters.push_back({text_of(who, ":name"), text_of(who, ":sid"),
-                                  text_of(who, ":email")});
-    });
-    for_each_map(facts[":history"], [&](const YAML::Node& attempt) {
-        one.earlier.push_back(text_of(attempt, ":created_at"));
-    });
+    one.submitters = members_in(facts[":submitters"]);
     return one;
 }
 

@@ -19,8 +19,6 @@ struct GradescopeSubmission {
     std::string folder;  ///< "submission_123"
     std::vector<Member> submitters;
     std::string created_at;  ///< as it stands there
-    /// When the earlier attempts came, of which the export has no files.
-    std::vector<std::string> earlier;
 };
 
 /// The file cannot be read; the message says why.

@@ -52,8 +52,7 @@ std::string part_in(std::string_view file, Language language) {
     return begin == file.npos ? "" : std::string(file.substr(begin));
 }
 
-Statement statement_of(const Exercise& exercise, Language wanted) {
-    const std::string file = read_file(exercise.statement());
+Statement statement_in(std::string_view file, Language wanted) {
     std::string text = part_in(file, wanted);
     if (text.empty()) text = part_in(file, wanted = Language::english);
     Statement statement;
@@ -65,6 +64,10 @@ Statement statement_of(const Exercise& exercise, Language wanted) {
     if (hints != text.npos) statement.hints = items_of(text.substr(hints));
     statement.text = text.substr(0, hints);
     return statement;
+}
+
+Statement statement_of(const Exercise& exercise, Language wanted) {
+    return statement_in(read_file(exercise.statement()), wanted);
 }
 
 }  // namespace course

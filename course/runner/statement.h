@@ -24,8 +24,11 @@ struct Statement {
     std::vector<std::string> hints;         ///< in order
 };
 
-/// In the wanted language, or in English where the file has no other. Throws
-/// SystemError when the file cannot be read.
+/// What a statement's file says in the wanted language, or in English where it
+/// has no other.
+Statement statement_in(std::string_view file, Language wanted);
+
+/// The same of an exercise's file. Throws SystemError when it cannot be read.
 Statement statement_of(const Exercise& exercise,
                        Language wanted = Language::english);
 

@@ -62,7 +62,7 @@ std::vector<std::array<int, 3>> triangulate(std::span<const Vec3> polygon) {
         while (k < left.size() &&
                !is_ear(polygon, left, corner_at(left, k), normal))
             ++k;
-        if (k == left.size()) throw std::logic_error("there is no ear");
+        if (k == left.size()) k = 0;
         triangles.push_back(corner_at(left, k));
         left.erase(left.begin() + static_cast<std::ptrdiff_t>(k));
     }

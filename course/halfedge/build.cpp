@@ -269,56 +269,36 @@ void for_each_side(const IndexedMesh& mesh, Use use) {
     for (const auto& [from, to] : mesh.loose_edges) use(from, to);
 }
 
-bool are_sound(const IndexedMesh& mesh) {
-    const auto is_sound_vertex = [&](int v) { return is_vertex(mesh, v); };
-    const std::vector<int>& corners = mesh.faces.corners();
-    if (!std::all_of(corners.begin(), corners.end(), is_sound_vertex))
-        return false;
-    bool are_distinct = true;
-    for_each_face(mesh.faces, [&](const int* begin, const int* end) {
-        are_distinct = are_distinct && has_distinct_corners({begin, end});
-    });
-    return are_distinct &&
-           std::all_of(mesh.loose_edges.begin(), mesh.loose_edges.end(),
-                       [&](const auto& edge) {
-                           return edge[0] != edge[1] &&
-                                  is_sound_vertex(edge[0]) &&
-                                  is_sound_vertex(edge[1]);
-                       });
-}
-
 /// Which sides run along the same edge. The sides are laid out by the smaller
 /// end of their edge, so that what has to be found lies together, in whatever
 /// order faces and vertices are numbered; and found by its other end in a list
 /// with a place for each vertex, so that a hub costs no more than others.
 class Pairing {
 public:
-    /// Precondition: are_sound(mesh). The rows of the table to be lend their
-    /// memory for the sides that are laid out, two in a row.
+    /// The rows of the table to be lend their memory for the sides that are
+    /// laid out, two in a row.
     Pairing(const IndexedMesh& mesh, std::vector<HalfEdge>& rows)
         : faces_sides_(static_cast<int>(mesh.faces.corners().size())),
-          other_(mesh.faces.corners().size() + mesh.loose_edges.size(), -1),
-          rows_(rows) {
-        // An upper bound; memory that is never touched costs nothing.
-        rows_.reserve(2 * other_.size());
-        rows_.resize(other_.size() / 2 + 1);
-        bytes_ = reinterpret_cast<std::byte*>(rows_.data());
-        std::vector<int> last(mesh.positions.size(), -1);
-        int begin = 0;
-        for (const int end : lay_out(mesh)) {
-            for (int k = begin; k < end; ++k)
-                pair(k, begin, last[index(laid(k).other)]);
-            begin = end;
-        }
-        rows_.resize(2 * (other_.size() - pairs_));
+          is_sound_(true) {
+        std::vector<int> ends = count(mesh);
+        if (is_sound_) pair_all(mesh, rows, std::move(ends));
     }
 
-    /// Whether no edge has more than two sides, or two that run alike, or a
-    /// loose edge beside another side.
+    /// Whether the mesh has no defect.
     bool is_sound() const { return is_sound_; }
 
-    /// For each side the other one of its edge; -1: none.
-    std::vector<int> sides() && { return std::move(other_); }
+    /// The sides of faces that are alone on their edge, ascending.
+    std::vector<int> alone() const {
+        std::vector<int> sides;
+        sides.reserve(index(faces_sides_) - 2 * pairs_);
+        if (sides.capacity() == 0) return sides;
+        for (int side = 0; side < faces_sides_; ++side)
+            if (before_[index(side)] == is_alone) sides.push_back(side);
+        return sides;
+    }
+
+    /// For each side the one of its edge that comes before it; negative: none.
+    std::vector<int> before() && { return std::move(before_); }
 
 private:
     struct Laid {
@@ -338,58 +318,111 @@ private:
         std::memcpy(bytes_ + index(k) * sizeof laid, &laid, sizeof laid);
     }
 
-    /// By smaller end; returns where those of each vertex end.
-    std::vector<int> lay_out(const IndexedMesh& mesh) {
-        std::vector<int> ends(mesh.positions.size() + 1, 0);
-        for_each_side(mesh, [&](int from, int to) {
-            ++ends[index(std::min(from, to)) + 1];
+    /// How many sides each vertex is the smaller end of, one place further on.
+    /// Finds faces and loose edges that are unsound by themselves.
+    std::vector<int> count(const IndexedMesh& mesh) {
+        std::vector<int> counts(mesh.positions.size() + 1, 0);
+        const auto add = [&](int a, int b) {
+            ++counts[index(std::min(a, b)) + 1];
+        };
+        for_each_face(mesh.faces, [&](const int* corner, const int* end) {
+            is_sound_ = is_sound_ && is_sound_face(mesh, {corner, end});
+            if (!is_sound_) return;
+            for (const int* k = corner; k + 1 != end; ++k) add(k[0], k[1]);
+            add(end[-1], *corner);
         });
+        for (const auto& [a, b] : mesh.loose_edges) {
+            is_sound_ =
+                is_sound_ && a != b && is_vertex(mesh, a) && is_vertex(mesh, b);
+            if (is_sound_) add(a, b);
+        }
+        return counts;
+    }
+
+    void pair_all(const IndexedMesh& mesh, std::vector<HalfEdge>& rows,
+                  std::vector<int> ends) {
+        const std::size_t n = index(faces_sides_) + mesh.loose_edges.size();
+        // An upper bound; memory that is never touched costs nothing.
+        rows.reserve(2 * n);
+        rows.resize(n / 2 + 1);
+        bytes_ = reinterpret_cast<std::byte*>(rows.data());
+        lay_out(mesh, ends);
+        before_.assign(n, is_first);
+        std::vector<int> last(mesh.positions.size(), -1);
+        int begin = 0;
+        for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+            pair_those_of_a_vertex(begin, ends[v], last);
+            begin = ends[v];
+        }
+        rows.resize(2 * (n - pairs_));
+    }
+
+    /// By smaller end; then `ends` has where those of each vertex end.
+    void lay_out(const IndexedMesh& mesh, std::vector<int>& ends) {
         for (std::size_t v = 1; v < ends.size(); ++v) ends[v] += ends[v - 1];
         int side = 0;
         for_each_side(mesh, [&](int from, int to) {
             lay(ends[index(std::min(from, to))]++,
                 {std::max(from, to), 2 * side++ + (from > to ? 1 : 0)});
         });
-        ends.pop_back();
-        return ends;
     }
 
-    /// `last` is the last side that was laid out with this other end.
-    void pair(int k, int begin, int& last) {
-        if (last >= begin) {
-            const int a = laid(last).side;
-            const int b = laid(k).side;
-            is_sound_ = is_sound_ && other_[index(a / 2)] == -1 &&
-                        (a ^ b) % 2 != 0 && std::max(a, b) / 2 < faces_sides_;
-            other_[index(a / 2)] = b / 2;
-            other_[index(b / 2)] = a / 2;
-            ++pairs_;
-        }
-        last = k;
+    void pair_those_of_a_vertex(int begin, int end, std::vector<int>& last) {
+        const std::size_t pairs = pairs_;
+        for (int k = begin; k < end; ++k)
+            pair(k, begin, last[index(laid(k).other)]);
+        if (2 * (pairs_ - pairs) == index(end - begin)) return;
+        for (int k = begin; k < end; ++k)
+            if (last[index(laid(k).other)] == 2 * k)
+                before_[index(laid(k).side / 2)] = is_alone;
     }
+
+    /// `last` is twice the place of the last side with this other end, and one
+    /// more when it has been paired.
+    void pair(int k, int begin, int& last) {
+        if (last < 2 * begin) {
+            last = 2 * k;
+            return;
+        }
+        const int a = laid(last / 2).side;
+        const int b = laid(k).side;
+        const int later = std::max(a, b) / 2;
+        is_sound_ = is_sound_ && last % 2 == 0 && (a ^ b) % 2 != 0 &&
+                    later < faces_sides_;
+        before_[index(later)] = std::min(a, b) / 2;
+        ++pairs_;
+        ++last;
+    }
+
+    static constexpr int is_first = -1, is_alone = -2;
 
     int faces_sides_;
-    std::vector<int> other_;
-    std::vector<HalfEdge>& rows_;
+    bool is_sound_;
+    std::vector<int> before_;
     std::byte* bytes_ = nullptr;  // of the rows
     std::size_t pairs_ = 0;
-    bool is_sound_ = true;
 };
 
 /// Opposite half-edges are made together, as rows 2e and 2e+1, the second one
 /// as a border half-edge until its side comes.
 class Builder {
 public:
-    /// `rows` and `sides` are those of a sound Pairing of the mesh.
+    /// `pairing` is sound, of the mesh and the rows.
     Builder(const IndexedMesh& mesh, std::vector<HalfEdge> rows,
-            std::vector<int> sides)
-        : rows_(std::move(rows)), sides_(std::move(sides)) {
+            Pairing pairing)
+        : rows_(std::move(rows)),
+          border_(pairing.alone()),
+          sides_(std::move(pairing).before()) {
         for_each_face(mesh.faces, [&](const int* begin, const int* end) {
             add_face(begin, end);
         });
-        for (const auto& [from, to] : mesh.loose_edges) add_edge(from, to, -1);
-        if (rows_.size() != mesh.faces.corners().size())
-            link_borders(mesh.positions.size());
+        for (int& i : border_) i = sides_[index(i)] + 1;
+        for (const auto& [from, to] : mesh.loose_edges) {
+            const int i = add_edge(from, to, -1);
+            border_.push_back(i);
+            border_.push_back(i + 1);
+        }
+        link_borders(mesh.positions.size());
     }
 
     HalfEdgeTable table() && { return HalfEdgeTable(std::move(rows_)); }
@@ -405,19 +438,19 @@ private:
         return i;
     }
 
-    /// The half-edge of the next side; its number takes the place of the side's
-    /// other one, which nobody asks for again.
+    /// The half-edge of the next side; its number takes the place of the side
+    /// before it, which nobody asks for again.
     int add_side(int from, int to) {
-        int& other = sides_[index(side_)];
-        const bool is_second = other != -1 && other < side_;
+        int& before = sides_[index(side_)];
+        const bool is_second = before >= 0;
         if (is_second) {
-            other = sides_[index(other)] + 1;
-            row(other).fi = face_;
+            before = sides_[index(before)] + 1;
+            row(before).fi = face_;
         } else {
-            other = add_edge(from, to, face_);
+            before = add_edge(from, to, face_);
         }
         ++side_;
-        return other;
+        return before;
     }
 
     void add_face(const int* corner, const int* end) {
@@ -445,10 +478,10 @@ private:
     /// Each fan is closed by itself first; a later fan of the same vertex, or a
     /// loose edge, which is a fan without faces, is spliced into the first.
     void link_borders(std::size_t vertices) {
+        if (border_.empty()) return;
         // Each vertex's border half-edge that comes in.
         std::vector<int> coming_in(vertices, -1);
-        for (int i = 0; index(i) < rows_.size(); ++i) {
-            if (row(i).fi != -1) continue;
+        for (const int i : border_) {
             const int j = other_end_of_fan(i);
             row(j).next = i;
             int& before = coming_in[index(row(i).vi)];
@@ -460,6 +493,7 @@ private:
     }
 
     std::vector<HalfEdge> rows_;
+    std::vector<int> border_;  // half-edges, ascending; sides at first
     std::vector<int> sides_;
     int made_ = 0, side_ = 0, face_ = 0;
 };
@@ -602,7 +636,7 @@ void require_countable(std::size_t vertices, std::size_t faces,
 std::vector<Defect> defects(const IndexedMesh& mesh) {
     require_countable(mesh);
     std::vector<HalfEdge> rows;
-    if (are_sound(mesh) && Pairing(mesh, rows).is_sound()) return {};
+    if (Pairing(mesh, rows).is_sound()) return {};
     return report(mesh);
 }
 
@@ -622,11 +656,10 @@ std::vector<int> bow_tie_vertices(const IndexedMesh& mesh) {
 
 HalfEdgeTable build(const IndexedMesh& mesh) {
     require_countable(mesh);
-    if (!are_sound(mesh)) throw BuildError(report(mesh));
     std::vector<HalfEdge> rows;
     Pairing pairing(mesh, rows);
     if (!pairing.is_sound()) throw BuildError(report(mesh));
-    return Builder(mesh, std::move(rows), std::move(pairing).sides()).table();
+    return Builder(mesh, std::move(rows), std::move(pairing)).table();
 }
 
 FaceList to_faces(const HalfEdgeTable& he) {

@@ -5,13 +5,6 @@
 
 namespace course {
 
-bool is_sound_face(const IndexedMesh& mesh, FaceList::Face corners) {
-    return has_distinct_corners(corners) &&
-           std::all_of(corners.begin(), corners.end(), [&](int v) {
-               return v >= 0 && v < mesh.vertex_count();
-           });
-}
-
 std::vector<EdgeUse> edge_uses(const IndexedMesh& mesh) {
     require_countable(mesh.positions.size(),
                       static_cast<std::size_t>(mesh.faces.size()),

@@ -38,7 +38,11 @@ inline bool has_distinct_corners(FaceList::Face corners) {
 }
 
 /// Whether its corners are vertices of the mesh, too.
-bool is_sound_face(const IndexedMesh& mesh, FaceList::Face corners);
+inline bool is_sound_face(const IndexedMesh& mesh, FaceList::Face corners) {
+    for (const int v : corners)
+        if (v < 0 || v >= mesh.vertex_count()) return false;
+    return has_distinct_corners(corners);
+}
 
 /// The sides of the faces that are sound, by edge and then by face: the uses of
 /// an edge stand side by side. O(n log n).

@@ -42,6 +42,19 @@
 #endif
 #endif
 
+// Inline where the compiler optimises. A submission, which it does not, calls
+// code that was compiled with it: the check would be slow in it, and what the
+// others need of <vector> would cost each of them 25 ms to compile.
+#if defined(__OPTIMIZE__) || COURSE_TABLE != 1 || \
+    defined(COURSE_DEFINE_HALF_EDGE_TABLE)
+#define COURSE_TABLE_INLINE
+#endif
+#if defined(COURSE_TABLE_INLINE) && !defined(COURSE_DEFINE_HALF_EDGE_TABLE)
+#define COURSE_SUBSCRIPT [[gnu::always_inline]]
+#else
+#define COURSE_SUBSCRIPT
+#endif
+
 // One namespace per build: objects of two builds never link by accident.
 inline namespace COURSE_TABLE_NAMESPACE {
 
@@ -74,7 +87,8 @@ struct HalfEdgeIndex {
     std::int64_t place;  // the line
 
     // NOLINTNEXTLINE(google-explicit-constructor): he[i] converts i to it
-    constexpr HalfEdgeIndex(int index, int at = __builtin_LINE())
+    [[gnu::always_inline]] constexpr HalfEdgeIndex(int index,
+                                                   int at = __builtin_LINE())
         : i(index), place(at) {}
 };
 #else
@@ -177,12 +191,8 @@ public:
     /// Throws OutOfTable when there is no such row, TooManyReads when the
     /// budget of the call is used up (table_errors.h); the plain build checks
     /// nothing.
-    [[gnu::always_inline]] const HalfEdge& operator[](HalfEdgeIndex i) const {
-        return *row(i);
-    }
-    [[gnu::always_inline]] HalfEdge& operator[](HalfEdgeIndex i) {
-        return *const_cast<HalfEdge*>(row(i));
-    }
+    COURSE_SUBSCRIPT const HalfEdge& operator[](HalfEdgeIndex i) const;
+    COURSE_SUBSCRIPT HalfEdge& operator[](HalfEdgeIndex i);
 
     /// All rows in order; counts as reading each of them.
     iterator begin();
@@ -274,9 +284,6 @@ private:
     mutable bool exact_ = false;  // the exercise fixed the budget
     mutable Visit ring_[ring_size];
 
-    // Without optimisation the whole check is one call into code that was
-    // compiled with it; with optimisation it is inlined.
-#ifdef __OPTIMIZE__
     [[gnu::always_inline]] const HalfEdge* row(HalfEdgeIndex at) const {
         if (static_cast<std::uint64_t>(at.i) >= rows_.size() || left_ <= 0)
             [[unlikely]]
@@ -284,12 +291,6 @@ private:
         note(at);
         return rows_.data() + at.i;
     }
-#else
-    [[gnu::always_inline]] const HalfEdge* row(HalfEdgeIndex at) const {
-        return checked_row(at);
-    }
-#endif
-    const HalfEdge* checked_row(HalfEdgeIndex at) const;
     void charge() const;
     [[noreturn]] void fail(HalfEdgeIndex at) const;
 
@@ -313,11 +314,7 @@ private:
 #endif
 #endif
 
-// Inline where the compiler optimises. A submission, which it does not, calls
-// code that was compiled with it: what these need of <vector> would cost each
-// of them 25 ms to compile.
-#if defined(__OPTIMIZE__) || COURSE_TABLE != 1 || \
-    defined(COURSE_DEFINE_HALF_EDGE_TABLE)
+#ifdef COURSE_TABLE_INLINE
 #ifdef COURSE_DEFINE_HALF_EDGE_TABLE
 #define COURSE_INLINE
 #else
@@ -343,6 +340,12 @@ COURSE_INLINE HalfEdgeTable::HalfEdgeTable(std::initializer_list<HalfEdge> rows)
     : rows_(rows) {}
 COURSE_INLINE HalfEdgeTable::HalfEdgeTable(std::vector<HalfEdge> rows)
     : rows_(std::move(rows)) {}
+COURSE_INLINE const HalfEdge& HalfEdgeTable::operator[](HalfEdgeIndex i) const {
+    return *row(i);
+}
+COURSE_INLINE HalfEdge& HalfEdgeTable::operator[](HalfEdgeIndex i) {
+    return *const_cast<HalfEdge*>(row(i));
+}
 COURSE_INLINE int HalfEdgeTable::size() const {
     return static_cast<int>(rows_.size());
 }
@@ -374,5 +377,7 @@ COURSE_INLINE bool HalfEdgeTable::has_rows_of(
 }
 #undef COURSE_INLINE
 #endif
+#undef COURSE_SUBSCRIPT
+#undef COURSE_TABLE_INLINE
 
 }  // namespace COURSE_TABLE_NAMESPACE

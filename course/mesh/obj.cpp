@@ -72,28 +72,33 @@ std::string index_defect(std::string_view word) {
     return {};
 }
 
+bool is_blank(char c) {
+    return c == ' ' || c == '\t';
+}
+
 /// Whether the line has at least so many corners, all of them `1`, `1/2`,
 /// `1//3` or `1/2/3` of at most nine digits that do not begin with 0: most
 /// lines are like that, and need no closer look.
 bool is_plain(std::string_view corners, std::size_t least) {
-    std::size_t ended = 0;
-    int slashes = 0;
-    int digits = 0;
-    for (const char c : corners) {
-        if (c >= '1' - (digits > 0) && c <= '9') {
-            if (++digits > 9) return false;
-        } else if (c == '/') {
-            if ((digits == 0 && slashes != 1) || ++slashes > 2) return false;
-            digits = 0;
-        } else if (c == ' ' || c == '\t') {
-            if (digits == 0 && slashes > 0) return false;
-            ended += digits > 0;
-            slashes = digits = 0;
-        } else {
-            return false;
+    const char* at = corners.data();
+    const char* const end = at + corners.size();
+    std::size_t count = 0;
+    for (;; ++count) {
+        while (at != end && is_blank(*at)) ++at;
+        if (at == end) return count >= least;
+        for (int slashes = 0;; ++slashes) {
+            const char* const first = at;
+            while (at != end && *at >= '0' && *at <= '9') ++at;
+            const auto digits = at - first;
+            if (digits > 9 || (digits == 0 ? slashes != 1 : *first == '0'))
+                return false;
+            if (at == end || is_blank(*at)) {
+                if (digits == 0) return false;
+                break;
+            }
+            if (*at++ != '/' || slashes == 2) return false;
         }
     }
-    return digits > 0 && ended + 1 >= least;
 }
 
 /// Three finite numbers and nothing else: most vertices are that, and need no
@@ -102,8 +107,8 @@ bool is_plain(std::string_view words, std::array<double, 7>& numbers) {
     const char* at = words.data();
     const char* const end = at + words.size();
     for (int k = 0; k < 3; ++k) {
-        if (at == end || (*at != ' ' && *at != '\t')) return false;
-        while (at != end && (*at == ' ' || *at == '\t')) ++at;
+        if (at == end || !is_blank(*at)) return false;
+        while (at != end && is_blank(*at)) ++at;
         const auto [after, error] =
             std::from_chars(at, end, numbers[static_cast<std::size_t>(k)]);
         if (error != std::errc()) return false;

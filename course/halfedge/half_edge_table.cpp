@@ -233,8 +233,8 @@ void HalfEdgeTable::begin_events() const {
     trace_log.add(std::move(event));
 }
 
-void HalfEdgeTable::add_event(TraceEvent::Kind kind, int i,
-                              std::int64_t place) const {
+void HalfEdgeTable::add_event(TraceEvent::Kind kind, int i, std::int64_t place,
+                              const void* frame) const {
     if (!trace_log.running || place < 0) return;
     if (!trace_log.is_open()) {
         ++trace_log.size;
@@ -248,7 +248,9 @@ void HalfEdgeTable::add_event(TraceEvent::Kind kind, int i,
                    static_cast<int>(place % 4096),
                    {},
                    kind,
-                   trace_log.index_of(number_.get())});
+                   trace_log.index_of(number_.get()),
+                   {},
+                   reinterpret_cast<std::uintptr_t>(frame)});
 }
 
 void HalfEdgeTable::note_changes() const {
@@ -269,11 +271,13 @@ void HalfEdgeTable::note_changes() const {
 
 void HalfEdgeTable::note(HalfEdgeIndex at) const {
     ring_[--left_ & (ring_size - 1)] = {static_cast<int>(at.i), line_of(at)};
-    add_event(TraceEvent::Kind::subscript, static_cast<int>(at.i), at.place);
+    add_event(TraceEvent::Kind::subscript, static_cast<int>(at.i), at.place,
+              at.frame);
 }
 
-void HalfEdgeTable::append(const HalfEdge& row, std::int64_t place) {
-    add_event(TraceEvent::Kind::push_back, size(), place);
+void HalfEdgeTable::append(const HalfEdge& row, std::int64_t place,
+                           const void* frame) {
+    add_event(TraceEvent::Kind::push_back, size(), place, frame);
     rows_.push_back(row);
 }
 

@@ -92,14 +92,16 @@ struct HalfEdgeIndex {
         : i(index), place(at) {}
 };
 #else
-/// As in the checked build, with the column.
+/// As in the checked build, with the column, and the function's stack frame.
 struct HalfEdgeIndex {
     std::int64_t i;
     std::int64_t place;  // line * 4096 + column; -1 silent
+    const void* frame;
 
     // NOLINTNEXTLINE(google-explicit-constructor): he[i] converts i to it
-    constexpr HalfEdgeIndex(int index, COURSE_HERE)
-        : i(index), place(COURSE_PLACE) {}
+    constexpr HalfEdgeIndex(int index, COURSE_HERE,
+                            const void* at_frame = __builtin_frame_address(0))
+        : i(index), place(COURSE_PLACE), frame(at_frame) {}
 };
 #endif
 
@@ -128,6 +130,9 @@ struct TraceEvent {
     int table = 0;
     /// In the first event of a table: what it was before the changes.
     std::vector<HalfEdge> rows = {};
+    /// Address of the stack frame of the function that does it, so that a
+    /// debugger can tell of which call it is a part; 0 in the first event.
+    std::uint64_t frame = 0;
 };
 
 /// What tells tables apart while they are copied and moved: a copy gets a
@@ -180,8 +185,9 @@ public:
 
     /// Adds a row; its index is the size before.
 #if COURSE_TABLE == 2
-    void push_back(const HalfEdge& row, COURSE_HERE) {
-        append(row, COURSE_PLACE);
+    void push_back(const HalfEdge& row, COURSE_HERE,
+                   const void* frame = __builtin_frame_address(0)) {
+        append(row, COURSE_PLACE, frame);
     }
 #else
     void push_back(const HalfEdge& row);
@@ -302,10 +308,11 @@ private:
 };
 #else
     void note(HalfEdgeIndex at) const;
-    void append(const HalfEdge& row, std::int64_t place);
+    void append(const HalfEdge& row, std::int64_t place, const void* frame);
     void note_changes() const;
     void begin_events() const;
-    void add_event(TraceEvent::Kind kind, int i, std::int64_t place) const;
+    void add_event(TraceEvent::Kind kind, int i, std::int64_t place,
+                   const void* frame) const;
 
     TableNumber number_;
     mutable std::vector<HalfEdge> shadow_;  // the rows at the last event

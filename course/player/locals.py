@@ -1,16 +1,19 @@
 # Run inside gdb: the lines that a traced submission reaches, and its local
 # variables there. Beside each stands how many uses of the table the recorder
-# has counted so far, so that both records fit together exactly.
+# has counted so far, and the stack's pointer to the call, so that both records
+# fit together exactly.
 #
 # Environment: COURSE_FILE the source as it was compiled, COURSE_LOCALS the file
 # to write, COURSE_MOST how many lines of a walk are kept. Of each walk a line
-# "walk", then lines of fields with tabs between: count, line, address, function,
-# and for each variable that changed its name and its value as JSON ("null": it is
-# gone).
+# "walk", then lines of fields with tabs between: count, line, address, stack,
+# function, and for each variable that has a value its name and that as JSON.
+# Line 0 is none: a function begins, or ends without a return. Line -1: there are
+# more, which are not kept.
 import json
 import os
 import re
 import struct
+from functools import partial
 
 import gdb
 
@@ -201,7 +204,7 @@ def shown(value):
 
 def short_name(function):
     name = function.name.replace("(anonymous namespace)::", "")
-    return "lambda" if "{lambda" in name else name.split("(")[0].split("::")[-1]
+    return "lambda" if "operator()" in name else name.split("(")[0].split("::")[-1]
 
 
 class Variable:
@@ -372,46 +375,52 @@ class Recorder:
         self.out = open(os.environ["COURSE_LOCALS"], "w", encoding="utf-8")
         self.most = int(os.environ["COURSE_MOST"])
         self.count_at = None
-        self.lines = []
+        self.stops = []
         self.begin()
 
     def begin(self):
-        self.stops = 0
-        self.last = {}
-        self.activations = {}  # by the address of their frame
+        self.count_of_stops = 0
+        self.activations = {}  # by their stack
 
     def count(self):
         raw = gdb.selected_inferior().read_memory(self.count_at, 8)
         return struct.unpack("Q", raw)[0]
 
-    def stop(self, place):
+    def reach(self, place):
         """Notes that a place is reached; whether these are enough."""
         frame = gdb.newest_frame()
-        activation = self.activations.setdefault(
-            int(frame.read_register("fp")), Activation())
+        stack = int(frame.read_register("fp"))
+        activation = self.activations.setdefault(stack, Activation())
         now = activation.values(place, frame)
-        fields = [str(self.count()), str(place.line), str(place.pc), place.function]
-        for name, value in now.items():
-            if self.last.get(name) != value:
-                fields += [name, value]
-        for name in self.last:
-            if name not in now:
-                fields += [name, "null"]
-        self.last = now
-        self.out.write("\t".join(fields) + "\n")
-        self.stops += 1
-        return self.stops >= self.most
+        fields = [self.count(), place.line, place.pc, stack, place.function]
+        for variable in now.items():
+            fields += variable
+        return self.write(fields)
+
+    def enter(self):
+        """A function begins: calls deeper in the stack have ended."""
+        stack = int(gdb.newest_frame().read_register("sp"))
+        return self.write([self.count(), 0, 0, stack, ""])
+
+    def write(self, fields):
+        self.out.write("\t".join(map(str, fields)) + "\n")
+        self.count_of_stops += 1
+        if self.count_of_stops < self.most:
+            return False
+        self.out.write(f"{self.count()}\t-1\n")
+        return True
 
 
-class LineReached(gdb.Breakpoint):
-    def __init__(self, place, recorder):
-        super().__init__(f"*{place.pc}", internal=True)
+class Reached(gdb.Breakpoint):
+    """Tells `note` of each time; then the program goes on, or not."""
+
+    def __init__(self, pc, note):
+        super().__init__(f"*{pc}", internal=True)
         self.silent = True
-        self.place = place
-        self.recorder = recorder
+        self.note = note
 
     def stop(self):
-        return self.recorder.stop(self.place)
+        return self.note()
 
 
 def is_worth_a_stop(text):
@@ -437,26 +446,50 @@ def ends_of(entries, text):
             if text[line - 1].lstrip().startswith("return")}
 
 
-def lines_of(path, text):
-    """Pairs of line and address of the source's code, without the first
-    instructions of functions, which have no arguments yet."""
+def entries_of(path, text):
+    """Line, address and function of the source's code, by address."""
     symtab = gdb.decode_line(f'"{path}":1')[1][0].symtab
     entries = [(entry.line, entry.pc, function_at(entry.pc)) for entry in
                sorted(symtab.linetable(), key=lambda entry: entry.pc)]
-    entries = [entry for entry in entries
-               if entry[2] is not None and 0 < entry[0] <= len(text)]
+    return [entry for entry in entries
+            if entry[2] is not None and 0 < entry[0] <= len(text)]
+
+
+def lines_of(entries, text):
+    """Pairs of line and address, without the first instructions of functions,
+    which have no arguments yet."""
     ends = ends_of(entries, text)
     return [(line, pc) for line, pc, function in entries
             if pc != function.start and is_worth_a_stop(text[line - 1])
             and pc <= ends.get(function.start, pc)]
 
 
-def places_of(path):
+def closing_brackets(entries, text):
+    """Addresses where functions end that do not end in a return."""
+    last = {function.start: line for line, _, function in sorted(
+        entries, key=lambda entry: entry[0]) if text[line - 1].strip() == "}"}
+    ends = ends_of(entries, text)
+    first = {}
+    for line, pc, function in entries:
+        if last.get(function.start) == line and function.start not in ends:
+            first.setdefault(function.start, pc)
+    return first.values()
+
+
+def stops_in(path, recorder):
+    """Breakpoints at all that is to be noted of a source."""
     with open(path, encoding="utf-8", errors="replace") as file:
         text = file.read().split("\n")
-    table = lines_of(path, text)
+    entries = entries_of(path, text)
+    table = lines_of(entries, text)
     scopes = Scopes(table, text)
-    return [Place(pc, line, scopes.variables_of) for line, pc in table]
+    ends = [(0, pc) for pc in closing_brackets(entries, text)]
+    stops = [Reached(function.start, recorder.enter)
+             for function in {f.start: f for _, _, f in entries}.values()]
+    for line, pc in table + ends:
+        place = Place(pc, line, scopes.variables_of)
+        stops.append(Reached(pc, partial(recorder.reach, place)))
+    return stops
 
 
 def main():
@@ -473,11 +506,10 @@ def main():
         if recorder.count_at is None:
             recorder.count_at = int(gdb.parse_and_eval("*(unsigned long*)&course_trace_size"))
             gdb.execute("sharedlibrary submission", to_string=True)
-            recorder.lines = [LineReached(place, recorder)
-                              for place in places_of(os.environ["COURSE_FILE"])]
+            recorder.stops = stops_in(os.environ["COURSE_FILE"], recorder)
         at_begin = gdb.newest_frame().name() == "course_walk_begins"
-        for line in recorder.lines:
-            line.enabled = at_begin
+        for stop in recorder.stops:
+            stop.enabled = at_begin
         if at_begin:
             recorder.out.write("walk\n")
             recorder.begin()

@@ -39,6 +39,7 @@ Json json_of(const Step& step) {
         locals.add(name, Json::verbatim(value));
     if (!step.locals.empty()) object.add("d", locals);
     if (!step.function.empty()) object.add("fn", step.function);
+    if (step.depth) object.add("in", *step.depth);
     return object;
 }
 

@@ -31,11 +31,15 @@ struct Step {
     /// Read in a table that was copied, and the copy has been edited since:
     /// the value may not be the one that the edited table has there.
     bool in_original = false;
-    /// Local variables that changed after it: name, and value as JSON; null
-    /// when the variable is gone.
+    /// Local variables of its function that changed: name, and value as JSON;
+    /// null when the variable is gone. Those of a function that calls another
+    /// one are there again when that returns.
     std::vector<std::pair<std::string, std::string>> locals = {};
     /// The function's name, when it is another one than in the step before.
     std::string function = {};
+    /// How many calls of functions of the file it is in, when these are more or
+    /// less than in the step before; the exercise's own function is in none.
+    std::optional<int> depth = {};
 };
 
 /// A call and what it did until it returned or was stopped.
@@ -78,8 +82,9 @@ struct Recording {
 inline constexpr int most_drawn_faces = 200;
 
 /// As course/player/page expects it. Fields of a step: l line, c [from, to], i,
-/// f field, v value, w value before (of a write), d locals, fn function, new
-/// (row that is added), n (rows that are left), o (read in the original).
+/// f field, v value, w value before (of a write), d locals, fn function, in
+/// depth, new (row that is added), n (rows that are left), o (read in the
+/// original).
 std::string to_json(const Recording& recording);
 
 /// The same as the page carries it: of more than most_drawn_faces, mesh and

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <fstream>
 #include <iterator>
 #include <utility>
@@ -49,6 +50,15 @@ Command recorder_command(const RecorderFiles& files, const fs::path& order,
     return command;
 }
 
+/// gdb takes most of the time of a recording: a line or two for each step, as
+/// long as all walks together have no more steps than a page takes.
+std::uint64_t most_lines(const RecordOrder& order) {
+    const std::uint64_t walks =
+        order.starts.empty() ? order.rows.size() : order.starts.size();
+    return std::clamp(12 * order.most / (walks + 1), order.most / 4,
+                      2 * order.most);
+}
+
 Command under_gdb(Command command, const RecorderFiles& files,
                   const fs::path& locals, std::uint64_t most) {
     const fs::path script = source_root() / "course" / "player" / "locals.py";
@@ -73,7 +83,8 @@ Recorded run_once(const RecorderFiles& files, const RecordOrder& order,
     std::ofstream(order_file, std::ios::binary) << encode(order);
     Command command = recorder_command(files, order_file, recording);
     if (watched == Watched::table_and_locals)
-        command = under_gdb(std::move(command), files, locals, order.most);
+        command =
+            under_gdb(std::move(command), files, locals, most_lines(order));
     Recorded recorded;
     recorded.complaint = run(std::move(command), patience, most_output).output;
     read_recording(read_if_there(recording), recorded);

@@ -34,10 +34,11 @@ LineReached line_reached(std::string_view text) {
     reached.events = number_of<std::size_t>(next_field(text, '\t'));
     reached.line = number_of<int>(next_field(text, '\t'));
     reached.address = number_of<std::uint64_t>(next_field(text, '\t'));
+    reached.stack = number_of<std::uint64_t>(next_field(text, '\t'));
     reached.function = next_field(text, '\t');
     while (!text.empty()) {
         const std::string name(next_field(text, '\t'));
-        reached.changed.emplace_back(name, next_field(text, '\t'));
+        reached.variables.emplace_back(name, next_field(text, '\t'));
     }
     return reached;
 }
@@ -207,59 +208,136 @@ private:
 
 // ---- lines and reads, in the order of time
 
-/// The compiler may have several places in one line, as in a for: going on in
-/// a line is nothing new, going back is, if something has changed.
+/// From those of a step to those of another one.
+Variables changes(const Variables& before, const Variables& after) {
+    const auto has = [](const Variables& all, const std::string& name) {
+        return std::any_of(all.begin(), all.end(),
+                           [&](const auto& v) { return v.first == name; });
+    };
+    Variables changed;
+    for (const auto& variable : after)
+        if (std::find(before.begin(), before.end(), variable) == before.end())
+            changed.push_back(variable);
+    for (const auto& [name, value] : before)
+        if (!has(after, name)) changed.emplace_back(name, "null");
+    return changed;
+}
+
+/// What is known of a call that has not returned.
+struct Call {
+    LineReached last = {};
+    bool shown = false;  ///< the line, by a step
+    int number = 0;      ///< no other call has it
+};
+
+/// Puts lines and uses of the table into one order. A stop of gdb tells the
+/// variables as they are before its line, so they are what the steps before it
+/// lead to; but only those in the same call: of calls around it nothing is
+/// known until they go on. The stack tells calls apart, also of one function.
 class Merged {
 public:
     explicit Merged(std::string function) : function_(std::move(function)) {}
 
-    void reach(const LineReached& line) {
-        const bool same = line_ != nullptr && line.line == line_->line &&
-                          line.function == line_->function;
-        const bool goes_on = same && line.address > line_->address;
-        if (!goes_on && !(same && line.changed.empty())) finish_line();
-        for (const auto& change : line.changed)
-            (steps_.empty() ? first_ : steps_.back().locals).push_back(change);
-        line_ = &line;
-        functions_[line.line] = line.function;
-        if (!goes_on) used_ = false;
+    void reach(const LineReached& stop) {
+        return_to(stop.stack);
+        if (!calls_.empty() && calls_.back().last.stack == stop.stack) {
+            go_on(calls_.back(), stop);
+        } else if (stop.line > 0) {
+            finish_line();
+            calls_.push_back({stop, false, ++number_});
+        }
     }
 
-    void add(Step step) {
-        if (step.line == 0 && line_ != nullptr) step.line = line_->line;
-        used_ = true;
+    void add(Step step, std::uint64_t stack) {
+        return_to(stack);
+        if (!calls_.empty()) {
+            if (step.line == 0) step.line = calls_.back().last.line;
+            calls_.back().shown = true;
+        }
         push(std::move(step));
     }
 
     std::vector<Step> steps() && {
-        finish_line();
+        return_to(~std::uint64_t{0});
+        add_variables();
         return std::move(steps_);
     }
 
 private:
+    /// What a step was pushed with.
+    struct State {
+        std::size_t depth;
+        std::string function;
+        Variables variables;
+    };
+
+    /// Calls that end deeper in the stack than this are over.
+    void return_to(std::uint64_t stack) {
+        while (!calls_.empty() && calls_.back().last.stack < stack) {
+            finish_line();
+            calls_.pop_back();
+        }
+    }
+
+    /// The compiler may have several places in one line, as in a for: going on
+    /// in a line is nothing new, going back is, if something has changed.
+    void go_on(Call& call, const LineReached& stop) {
+        const bool same = stop.line == call.last.line;
+        const bool goes_on = same && stop.address > call.last.address;
+        const bool changed = stop.variables != call.last.variables;
+        // What a line does after a call that it made is a step of its own.
+        if (changed && pushed_by_ != call.number) call.shown = false;
+        if (!goes_on && (changed || !same)) finish_line();
+        if (call.shown && pushed_by_ == call.number)
+            states_.back().variables = stop.variables;
+        const int line = stop.line > 0 ? stop.line : call.last.line;
+        call.last = stop;
+        call.last.line = line;
+        if (!goes_on && stop.line > 0) call.shown = false;
+    }
+
     /// A line that has read nothing is a step of its own.
     void finish_line() {
-        if (line_ == nullptr || used_) return;
+        if (calls_.empty() || calls_.back().shown) return;
+        calls_.back().shown = true;
         Step step;
-        step.line = line_->line;
+        step.line = calls_.back().last.line;
         push(std::move(step));
     }
 
     void push(Step step) {
-        // A read after a call, in one line, belongs to the caller again.
-        const auto found = functions_.find(step.line);
-        if (found != functions_.end() && found->second != function_)
-            step.function = function_ = found->second;
-        if (steps_.empty()) step.locals = std::exchange(first_, {});
         steps_.push_back(std::move(step));
+        State state{0, function_, {}};
+        if (!calls_.empty()) {
+            const LineReached& last = calls_.back().last;
+            state = {calls_.size() - 1, last.function, last.variables};
+            pushed_by_ = calls_.back().number;
+        }
+        states_.push_back(std::move(state));
     }
 
-    std::string function_;
-    std::vector<std::pair<std::string, std::string>> first_;
+    /// Each step gets what is another thing in it than in the one before.
+    void add_variables() {
+        std::vector<Variables> shown(1);  // of each call around
+        std::string function = function_;
+        for (std::size_t k = 0; k < steps_.size(); ++k) {
+            const State& state = states_[k];
+            if (state.depth + 1 != shown.size())
+                steps_[k].depth = static_cast<int>(state.depth);
+            shown.resize(state.depth + 1);
+            steps_[k].locals = changes(shown.back(), state.variables);
+            shown.back() = state.variables;
+            if (state.function != function)
+                steps_[k].function = function = state.function;
+        }
+    }
+
+    std::string function_;  // of the exercise
+    std::vector<Call> calls_;
+    int number_ = 0;     // of the last one
+    int pushed_by_ = 0;  // the call that the last step belongs to
     std::vector<Step> steps_;
-    std::map<int, std::string> functions_;  // by line
-    const LineReached* line_ = nullptr;
-    bool used_ = true;  // by a step
+    std::vector<State> states_;
 };
 
 std::vector<Step> merge(const std::vector<TraceEvent>& events,
@@ -271,12 +349,13 @@ std::vector<Step> merge(const std::vector<TraceEvent>& events,
             merged.reach(*line);
         const TraceEvent& event = events[k];
         if (event.kind == TraceEvent::Kind::begin) {
-            for (Step& step : shown.begin(event)) merged.add(std::move(step));
+            for (Step& step : shown.begin(event))
+                merged.add(std::move(step), event.frame);
             continue;
         }
         for (std::size_t s = traced.first[k]; s < traced.first[k + 1]; ++s)
             for (Step& step : shown.step(traced.steps[s], event))
-                merged.add(std::move(step));
+                merged.add(std::move(step), event.frame);
     }
     for (; line != lines.end(); ++line) merged.reach(*line);
     return std::move(merged).steps();
@@ -309,6 +388,10 @@ Walk decode_call(std::string_view bytes, const std::vector<Row>& table,
                  const std::vector<LineReached>& lines, std::size_t most) {
     auto call = decode<RecordedCall>(bytes);
     for (const TraceEvent& event : call.events) require_sound(event);
+    // What comes after the lines that were kept has variables of before.
+    if (!lines.empty() && lines.back().line < 0 &&
+        lines.back().events < call.events.size())
+        call.events.resize(std::max(lines.back().events, std::size_t{1}));
     const StepsByEvent traced =
         steps_by_event(call.events, table_of(table), source);
     const Shown shown(call.events, table);

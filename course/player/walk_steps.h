@@ -12,13 +12,18 @@
 
 namespace course {
 
+/// Names of variables, and their values as JSON.
+using Variables = std::vector<std::pair<std::string, std::string>>;
+
 /// A line that was reached, as locals.py writes it.
 struct LineReached {
     std::size_t events = 0;  ///< how many the recorder had counted before it
-    int line = 0;
+    int line = 0;  ///< 0: none; a function begins, or ends and has these
+                   ///< values; -1: there are more that were not kept
     std::uint64_t address = 0;  ///< of its code
+    std::uint64_t stack = 0;    ///< of its call; calls inside it have less
     std::string function;
-    std::vector<std::pair<std::string, std::string>> changed;
+    Variables variables;  ///< that have a value
 };
 
 /// The walks in the text that locals.py wrote; what does not fit its form ends

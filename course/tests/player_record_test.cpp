@@ -27,21 +27,29 @@ Recording recorded_with(const std::string& exercise,
     return record(found, options);
 }
 
-/// A student's file of face_sides, with this for its body.
+/// A student's file of face_sides, with this for its body, and functions before
+/// it.
 class Written {
 public:
-    explicit Written(const std::string& body) : file_(folder_ / "mine.cpp") {
+    explicit Written(const std::string& body, const std::string& before = "")
+        : file_(folder_ / "mine.cpp") {
         std::ofstream(file_) << "#include <stdexcept>\n"
                                 "#include "
                                 "\"exercises/01_traversal/face_sides.h\"\n"
-                                "int face_sides(const HalfEdgeTable& he, int "
+                             << before
+                             << "int face_sides(const HalfEdgeTable& he, int "
                                 "i) {\n"
                              << body << "}\n";
     }
 
     /// The walk from a half-edge, of the last source.
-    Walk walk(int start, bool locals = false) const {
-        return recording(start, locals).walks.back();
+    Walk walk(int start, bool locals = false,
+              const std::string& compiler = "") const {
+        RecordOptions options;
+        options.starts = {start};
+        options.locals = locals;
+        options.compiler = compiler;
+        return recording(options).walks.back();
     }
     Recording recording(std::optional<int> start, bool locals = false) const {
         RecordOptions options;
@@ -227,10 +235,7 @@ TEST_CASE("a variable is shown from when it has a value") {
         "    return sum;\n");
     const std::string compiler = GENERATE("g++", "clang++");
     if (!has_program(compiler)) return;
-    RecordOptions options;
-    options.compiler = compiler;
-    options.starts = {4};
-    const Walk walk = file.recording(options).walks.back();
+    const Walk walk = file.walk(4, true, compiler);
     const auto twice = [](const std::string& value) {
         return std::vector<std::string>{value, value};
     };
@@ -263,6 +268,69 @@ TEST_CASE("a shadowed variable is told from the one that it hides") {
     const auto texts = texts_of(walk);
     CHECK(std::count(texts.begin(), texts.end(),
                      "7: he[4].next = 11 i (line 7)=11") == 1);
+}
+
+TEST_CASE("variables are those of the call that a step belongs to") {
+    if (no_gdb()) return;
+    const Written file(
+        "    int a = next_of(he, i), b = he[next_of(he, a)].next;\n"  // 11
+        "    advance(he, i);\n"
+        "    return a + b + i;\n",
+        "int next_of(const HalfEdgeTable& he, int i) {\n"
+        "    int n = he[i].next;\n"  // 4
+        "    return n;\n"
+        "}\n"
+        "void advance(const HalfEdgeTable& he, int& i) {\n"
+        "    i = he[i].next;\n"  // 8
+        "}\n");
+    const std::string compiler = GENERATE("g++", "clang++");
+    if (!has_program(compiler)) return;
+    const Walk walk = file.walk(4, true, compiler);
+    CHECK(texts_of(walk) == std::vector<std::string>{
+                                "11 i=4", "next_of 4: he[4].next = 11 i=4 n=11",
+                                "5", "4: he[11].next = 15 i=11 n=15", "5",
+                                "face_sides 11: he[15].next = 12 a=11 b=12",
+                                "12", "advance 8: he[4].next = 11 i=11",
+                                "face_sides 12 i=11", "13"});
+    std::vector<int> depths;
+    for (const Step& step : walk.steps)
+        if (step.depth) depths.push_back(*step.depth);
+    CHECK(depths == std::vector<int>{1, 0, 1, 0});
+}
+
+TEST_CASE("each call of a function that calls itself has its variables") {
+    if (no_gdb()) return;
+    const Walk walk = Written(
+                          "    if (he[i].next == 4) return 1;\n"
+                          "    return face_sides(he, he[i].next) +\n"
+                          "           (he[i].vi >= 0 ? 1 : 0);\n")
+                          .walk(4, true);
+    CHECK(walk.result == "4");
+    std::vector<std::string> i_of_calls(1);
+    std::vector<int> depths;
+    for (const Step& step : walk.steps) {
+        if (step.depth)
+            i_of_calls.resize(static_cast<std::size_t>(*step.depth) + 1);
+        for (const auto& [name, value] : step.locals)
+            if (name == "i") i_of_calls.back() = value;
+        if (step.i < 0) continue;
+        CHECK(i_of_calls.back() == std::to_string(step.i));
+        depths.push_back(static_cast<int>(i_of_calls.size()) - 1);
+    }
+    CHECK(depths == std::vector<int>{0, 0, 1, 1, 2, 2, 3, 2, 1, 0});
+}
+
+TEST_CASE("where lines are no longer recorded, the walk is cut") {
+    if (no_gdb()) return;
+    const Walk walk = Written("    for (;;) i = he[i].next;\n").walk(4, true);
+    int i = 0;
+    for (const Step& step : walk.steps) {
+        for (const auto& [name, value] : step.locals)
+            if (name == "i") i = std::stoi(value);
+        if (&step != &walk.steps.back()) CHECK(i == step.value);
+    }
+    CHECK(walk.steps.size() > 100);
+    CHECK(walk.steps.size() + walk.skipped > 100'000);
 }
 
 TEST_CASE("helper functions are named, and calls that return are") {

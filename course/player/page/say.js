@@ -38,7 +38,7 @@ function say_access(walk, step) {
 /** What the value means, and which variables have changed. */
 function say_meaning(walk, step, state) {
     const { f, v, w } = step;
-    const parts = say_function(step);
+    const parts = say_function(step, state);
     if (step.o) parts.push("in the table as it was given");
     if (w === undefined && f === 1 && v < 0) parts.push("no face: border");
     if (f >= 2 && v === state.start && w === undefined)
@@ -62,13 +62,13 @@ function say_line(walk, step, state) {
     const text = walk.code.text(step.l).trim().replace(/\s*\/\/.*/, "");
     return { main: `line ${step.l}: ${text}`,
              more: say_condition(text, state) ||
-                 [...say_function(step), ...say_changes(step, state)]
+                 [...say_function(step, state), ...say_changes(step, state)]
                      .join(" · ") };
 }
 
 /** Said when it is another function than in the step before. */
-function say_function({ fn }) {
-    return fn ? [`now in ${fn}`] : [];
+function say_function({ fn }, { is_back }) {
+    return fn ? [`${is_back ? "back" : "now"} in ${fn}`] : [];
 }
 
 const comparisons = {

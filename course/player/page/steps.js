@@ -54,11 +54,12 @@ class Walk {
     state(k) {
         const state = {
             table: this.first_table(),
-            variables: new Map(), seen: [], changed: new Set(),
+            calls: [new Map()], seen: [], changed: new Set(),
             new_rows: new Set(), flags: {},
             outline: Boolean(this.table) };
         const last = Math.min(k, this.steps.length);
         for (let j = 1; j <= last; ++j) this.apply(this.steps[j - 1], state);
+        state.variables = state.calls.at(-1);
         state.start = this.start_mark(state.variables);
         if (k > 0) this.light(this.step(k), state);
         else if (this.recording.starts === "vertex")
@@ -81,7 +82,17 @@ class Walk {
         if (step.new) state.new_rows.add(i);
         if (i !== undefined && i >= 0 && !state.seen.includes(i))
             state.seen.push(i);
-        this.set_variables(step, state.variables);
+        this.enter_or_leave(step, state);
+        this.set_variables(step, state.calls.at(-1));
+    }
+
+    /** Each call of a function of the file has variables of its own. */
+    enter_or_leave({ in: depth }, state) {
+        const before = state.calls.length - 1;
+        state.is_back = depth < before;
+        if (depth === undefined) return;
+        state.calls.length = Math.min(before, depth) + 1;
+        while (state.calls.length <= depth) state.calls.push(new Map());
     }
 
     /**

@@ -6,7 +6,8 @@
 # Environment: COURSE_FILE the source as it was compiled, COURSE_LOCALS the file
 # to write, COURSE_MOST how many lines of a walk are kept. Of each walk a line
 # "walk", then lines of fields with tabs between: count, line, address, stack,
-# function, and for each variable that has a value its name and that as JSON.
+# function, and for each variable that has a value its name and that as JSON; of
+# one that had one at the stop before, its last value and a - before its name.
 # Line 0 is none: a function begins, or ends without a return. Line -1: there are
 # more, which are not kept.
 import json
@@ -327,6 +328,18 @@ class Scopes:
         return self.known[key]
 
 
+def last_value(variable, before, frame):
+    """Of a variable whose scope has just been left: its memory is still what it
+    was, but for that of classes."""
+    if variable.symbol.type.strip_typedefs().code not in (
+            gdb.TYPE_CODE_INT, gdb.TYPE_CODE_BOOL, gdb.TYPE_CODE_FLT):
+        return before
+    try:
+        return json.dumps(shown(variable.symbol.value(frame)))
+    except (Hidden, gdb.error):
+        return before
+
+
 class Activation:
     """A call of a function: what is known of those of its variables of which
     the address alone does not say whether they have a value."""
@@ -335,6 +348,7 @@ class Activation:
 
     def __init__(self):
         self.place = None  # the one before
+        self.shown = {}    # there: by name, a Variable and its value
         self.known = {}    # of a Variable: HAS_VALUE, or its bytes without one
 
     def values(self, place, frame):
@@ -346,11 +360,14 @@ class Activation:
                 value = variable.symbol.value(frame)
                 if (variable.surely_has_value(place.pc) or
                         self.has_value(variable, value, place)):
-                    now[name] = json.dumps(shown(value))
+                    now[name] = (variable, json.dumps(shown(value)))
             except Exception:  # Hidden, or one of the many kinds that gdb has
                 pass
+        left = {"-" + name: last_value(variable, before, frame)
+                for name, (variable, before) in self.shown.items() if name not in now}
         self.place = place
-        return now
+        self.shown = now
+        return {name: value for name, (_, value) in now.items()} | left
 
     def has_value(self, variable, value, place):
         before = self.known.get(variable)

@@ -37,8 +37,11 @@ LineReached line_reached(std::string_view text) {
     reached.stack = number_of<std::uint64_t>(next_field(text, '\t'));
     reached.function = next_field(text, '\t');
     while (!text.empty()) {
-        const std::string name(next_field(text, '\t'));
-        reached.variables.emplace_back(name, next_field(text, '\t'));
+        std::string_view name = next_field(text, '\t');
+        const bool left = !name.empty() && name.front() == '-';
+        if (left) name.remove_prefix(1);
+        (left ? reached.left : reached.variables)
+            .emplace_back(name, next_field(text, '\t'));
     }
     return reached;
 }
@@ -288,8 +291,10 @@ private:
         // What a line does after a call that it made is a step of its own.
         if (changed && pushed_by_ != call.number) call.shown = false;
         if (!goes_on && (changed || !same)) finish_line();
-        if (call.shown && pushed_by_ == call.number)
-            states_.back().variables = stop.variables;
+        if (call.shown && pushed_by_ == call.number) {
+            Variables& all = states_.back().variables = stop.variables;
+            all.insert(all.end(), stop.left.begin(), stop.left.end());
+        }
         const int line = stop.line > 0 ? stop.line : call.last.line;
         call.last = stop;
         call.last.line = line;

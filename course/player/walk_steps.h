@@ -24,6 +24,7 @@ struct LineReached {
     std::uint64_t stack = 0;    ///< of its call; calls inside it have less
     std::string function;
     Variables variables;  ///< that have a value
+    Variables left;       ///< that had one: the last one, at their end
 };
 
 /// The walks in the text that locals.py wrote; what does not fit its form ends

@@ -270,6 +270,22 @@ TEST_CASE("a shadowed variable is told from the one that it hides") {
                      "7: he[4].next = 11 i (line 7)=11") == 1);
 }
 
+TEST_CASE("what the last line of a block does to its variables is shown") {
+    if (no_gdb()) return;
+    const Walk walk = Written(
+                          "    int start = i;\n"
+                          "    do {\n"
+                          "        int i = he[start].opp;\n"  // 6
+                          "        i = he[i].next;\n"
+                          "    } while (i != start);\n"
+                          "    return i;\n")
+                          .walk(4, true);
+    CHECK(texts_of(walk) ==
+          std::vector<std::string>{
+              "4 i=4 start=4", "6: he[4].opp = 3 i (line 6)=3",
+              "7: he[3].next = 5 i (line 6)=5", "8 i (line 6)=null", "9"});
+}
+
 TEST_CASE("variables are those of the call that a step belongs to") {
     if (no_gdb()) return;
     const Written file(

@@ -88,15 +88,18 @@ class CodePicture {
         box.classList.add("code-picture");
     }
 
-    /** As large as lets the lines fit, not below the size of the style. */
+    /** As wide as lets the lines fit, not below the size of the style, and
+     *  larger by its --grow at most. */
     fit(source) {
         const inner = source.plain.filter((text) => /^\s/.test(text));
         const longest = Math.max(...inner.map((t) => t.trimEnd().length), 20);
         this.box.style.fontSize = "";
-        const least = parseFloat(getComputedStyle(this.box).fontSize);
+        const style = getComputedStyle(this.box);
+        const least = parseFloat(style.fontSize);
+        const most = least * parseFloat(style.getPropertyValue("--grow"));
         const fitting = this.box.clientWidth / (0.61 * longest + 2);
         this.box.style.fontSize =
-            Math.max(least, Math.min(fitting, 1.25 * least)) + "px";
+            Math.max(least, Math.min(fitting, most)) + "px";
     }
 
     /** line 0: none is lit; columns: [from, to) of the lit expression. */

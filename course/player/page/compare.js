@@ -41,11 +41,27 @@ class Comparison {
         return -1;
     }
 
+    label(n) {
+        const { recording, source } = this.walks[n];
+        return recording.sources[source].label;
+    }
+
+    /** Above walk n. Why it is stopped is a matter of the large sentence. */
+    heading(n, k, state) {
+        const walk = this.walks[n];
+        const own = this.place(n, k);
+        const is_stopped = walk.is_last(own) && walk.error;
+        return `${this.label(n)}: ` +
+            (is_stopped ? "is stopped" : say_state(walk, own, state).main);
+    }
+
     say(k) {
         if (this.parting < 0 || k < this.parting) return "The same so far";
-        const [a, b] = this.walks.map(({ recording, source }) =>
-            recording.sources[source].label.replace(/^ref/, "the ref"));
+        const [a, b] = [0, 1].map((n) =>
+            this.label(n).replace(/^ref/, "the ref"));
         const after = k - this.parting;
+        if (k === this.count - 1 && this.walks[1].error)
+            return `${b}: ${this.walks[1].error}`;
         return after ? `They parted ${after} step${after > 1 ? "s" : ""} ago`
             : `They part here: ${b} ${this.deed(1, k)}, ` +
               `${a} ${this.deed(0, k)}`;

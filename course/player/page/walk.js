@@ -13,6 +13,8 @@ class Pane {
         this.code_box = html("div", { class: "code" });
         this.root = html("section", { class: "pane" }, this.heading,
                          this.picture_box, this.code_box);
+        const lengths = recording.sources.map(({ lines }) => lines.length);
+        this.root.style.setProperty("--lines", Math.max(...lengths, 0) + 1);
         at_id("panes").append(this.root);
         this.mesh = new MeshPicture(this.picture_box, recording.mesh);
         this.code = new CodePicture(this.code_box);
@@ -24,9 +26,8 @@ class Pane {
         this.mesh.remember(walk.state(walk.count - 1).table);
     }
 
-    show(walk, state) {
-        this.mesh.show(state);
-        this.code.show(walk.code, state.line, state.columns);
+    show_code(walk, { line, columns }) {
+        this.code.show(walk.code, line, columns);
     }
 }
 
@@ -259,7 +260,8 @@ class WalkPage {
         show_words(words);
         // The variables first: how much room they leave decides the rest.
         show_variables(state, this.walk.step(k), k);
-        this.panes[0].show(this.walk, state);
+        this.panes[0].show_code(this.walk, state);
+        this.panes[0].mesh.show(state);
         this.table.show(state);
     }
 
@@ -287,15 +289,16 @@ class WalkPage {
     }
 
     draw_comparison(k) {
-        this.comparison.walks.forEach((walk, n) => {
-            const own = this.comparison.place(n, k);
-            const state = walk.state(own);
-            this.panes[n].show(walk, state);
-            this.panes[n].heading.textContent = this.recording
-                .sources[walk.source].label + ": " +
-                say_state(walk, own, state).main;
-        });
         show_words({ main: this.comparison.say(k), more: "" });
+        const states = this.comparison.walks.map((walk, n) =>
+            walk.state(this.comparison.place(n, k)));
+        this.comparison.walks.forEach((walk, n) => {
+            this.panes[n].heading.textContent =
+                this.comparison.heading(n, k, states[n]);
+            this.panes[n].show_code(walk, states[n]);
+        });
+        // The meshes last: they have the room that is left.
+        states.forEach((state, n) => this.panes[n].mesh.show(state));
     }
 }
 

@@ -95,6 +95,12 @@ export function looks(page) {
         checks[name](given)), looks_of(page));
 }
 
+/** At some steps of what is shown, at most `steps`. */
+export function looks_at_shown_steps(page, steps) {
+    return page.evaluate(([looks, steps]) => checks.at_steps(looks, steps),
+                         [looks_of(page), steps]);
+}
+
 /** At some steps, at most `steps`, with at most `most` of the choices that each
     of the page's lists offers. */
 export function looks_at_steps(page, steps, most = 1) {

@@ -122,6 +122,39 @@ describe("each page", { concurrency: 4 }, () => {
     }
 });
 
+/** Sources of which too little is seen at a step: all lines, or so many. */
+const hidden_sources = (least) => {
+    const seen = (line) => {
+        const box = line.closest(".code").getBoundingClientRect();
+        const { top, bottom } = line.getBoundingClientRect();
+        return top >= box.top - 1 && bottom <= box.bottom + 1;
+    };
+    checks.hidden_sources = () => [...document.querySelectorAll(".code")]
+        .flatMap((code) => {
+            const lines = [...code.querySelectorAll(".line")];
+            const count = lines.filter(seen).length;
+            const lit = code.querySelector("mark, .current");
+            const found = lit && !seen(lit) ? ["the lit line is hidden"] : [];
+            if (count < Math.min(least, lines.length))
+                found.push(`${count} of ${lines.length} lines are seen`);
+            return found;
+        });
+    return checks.at_steps([["hidden_sources"]], Infinity);
+};
+
+describe("two walks side by side", { concurrency: 4 }, () => {
+    for (const name of ["face_sides_file", "vertex_star_file"])
+        for (const size of checks.sizes)
+            test(`${name} at ${size.join(" x ")}`, async () => {
+                assert.deepEqual(await found(name, async (page) => {
+                    await page.keyboard.press("c");
+                    return [...await checks.looks_at_shown_steps(page, 6),
+                            ...await page.evaluate(hidden_sources, 10),
+                            ...await checks.complaints(page)];
+                }, { size }), []);
+            });
+});
+
 test("a number and Enter start the walk there", async () => {
     const said = await found("face_sides", async (page) => {
         for (const key of ["1", "2", "Enter", "End"])

@@ -60,10 +60,20 @@ function say_changes({ d = {} }, { variables }) {
 
 function say_line(walk, step, state) {
     const text = walk.code.text(step.l).trim().replace(/\s*\/\/.*/, "");
+    const condition = say_condition(text, state);
     return { main: `line ${step.l}: ${text}`,
-             more: say_condition(text, state) ||
-                 [...say_function(step, state), ...say_changes(step, state)]
+             more: condition
+                 ? [...say_end_of_second(step), condition].join("; ")
+                 : [...say_function(step, state), ...say_changes(step, state)]
                      .join(" · ") };
+}
+
+/** A variable that hid another one of its name is gone: a surprise to those who
+ *  take the two for one. */
+function say_end_of_second({ d = {} }) {
+    return Object.keys(d).filter((key) => d[key] === null)
+        .flatMap((key) => key.match(/^\S+(?= \(line)/) || [])
+        .map((name) => `the second ${name} is gone`);
 }
 
 /** Said when it is another function than in the step before. */
@@ -104,8 +114,8 @@ function say_end(walk, state) {
     const { error, result, expected, expected_error } = walk;
     if (error)
         return { main: error,
-                 more: more(expected_error && "The reference stops, too.",
-                            say_shadow(walk, state), left_out) };
+                 more: more(say_reference(walk), say_shadow(walk, state),
+                            left_out) };
     const main = `returns ${value_text(result)}`;
     if (!differs(walk))
         return { main, more: more(say_why_ended(walk), left_out) };
@@ -116,6 +126,13 @@ function say_end(walk, state) {
     return Array.isArray(expected)
         ? { main, more: more(`The reference returns ${other}.`, hint) }
         : { main: `${main}, expected ${other}`, more: hint };
+}
+
+/** What the reference does where a file is stopped. */
+function say_reference({ expected, expected_error }) {
+    if (expected_error) return "The reference stops, too.";
+    return expected === undefined ? ""
+        : `The reference returns ${value_text(expected)}.`;
 }
 
 /** A declaration that hides a variable of the same name is a likely cause. */

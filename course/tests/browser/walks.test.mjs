@@ -166,6 +166,21 @@ test("a number and Enter start the walk there", async () => {
     assert.match(said, new RegExp(`returns ${result}`));
 });
 
+test("why the shadowed variable visits one edge is said", async () => {
+    const said = await found("vertex_star_file", (page) => page.evaluate(() =>
+        [...Array(player.stepper.count).keys()].map((k) => {
+            player.stepper.go(k);
+            return document.getElementById("say").textContent;
+        })), { link: "i=4" });
+    for (const words of ["a second i = 3; the outer i stays 4",
+                         "a second i = 5; the outer i stays 4",
+                         "the second i is gone; i is 4, start is 4: the same, " +
+                             "the loop ends",
+                         "Line 7 declares a second i; the outer i stays 4"])
+        assert.ok(said.some((text) => text.includes(words)),
+                  `${words} is not in\n${said.join("\n")}`);
+});
+
 test("the last step says what was returned, from each start", async () => {
     const { walks } = data_of(pages.face_sides);
     const wrong_ones = await found("face_sides", async (page) => {

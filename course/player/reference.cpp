@@ -36,8 +36,8 @@ ReferenceWorker::ReferenceWorker(const std::string& exercise)
                                       found.solution().string(),
                                       compiled.messages));
     DescriptorPair control = socket_pair();
-    launcher_ = std::make_unique<Process>(
-        workplace.launch(shared, control.second, complaints_));
+    launcher_ = std::make_unique<Process>(workplace.launch(
+        shared, limits_of_reference(), control.second, complaints_));
     client_ = std::make_unique<Client>(std::move(control.first),
                                        limits_of_reference());
     client_->on_failure = [this](Verdict, const std::string& why) {

@@ -251,7 +251,7 @@ void Client::begin_call() {
         for_good_ = {
             Verdict::time_limit_exceeded,
             fmt::format("not run: the cases before took more than {} s",
-                        limits_.run_ms / 1000)};
+                        limits_.run_ms / 1000.0)};
     if (for_good_) fail(for_good_->first, for_good_->second);
     if (alive_) return;
     try {

@@ -90,6 +90,16 @@ std::set<std::string> project_headers(std::string_view text,
     return found;
 }
 
+/// Of a copy for an assignment that has limits of its own.
+void set_limits(std::vector<Exercise>& exercises) {
+    const fs::path file = source_root() / ".lab" / "limits";
+    if (!fs::exists(file)) return;
+    const auto limits = read_limits_file(read_file(file));
+    for (Exercise& exercise : exercises)
+        if (const auto own = limits.find(exercise.name); own != limits.end())
+            exercise.limits = own->second;
+}
+
 }  // namespace
 
 fs::path source_root() {
@@ -126,6 +136,7 @@ std::vector<Exercise> all_exercises() {
     for (const fs::path& topic : topics)
         for (Exercise& exercise : exercises_of(topic))
             all.push_back(std::move(exercise));
+    set_limits(all);
     return all;
 }
 

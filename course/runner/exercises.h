@@ -10,6 +10,8 @@
 #include <string_view>
 #include <vector>
 
+#include "course/runner/limits.h"
+
 namespace course {
 
 /// Where this tree and its build are.
@@ -20,6 +22,7 @@ struct Exercise {
     std::string topic;     ///< "01_traversal"
     std::string name;      ///< "face_sides", the name of its function and files
     bool is_data = false;  ///< the submission is a table and not a function
+    Limits limits = {};    ///< of a submission, as long as nobody sets others
 
     /// "01_traversal/face_sides": the name in assignments and gradebooks.
     std::string full_name() const { return topic + "/" + name; }

@@ -11,6 +11,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <bit>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
@@ -319,17 +320,20 @@ std::vector<CaseResult> results_of_all(
     return all;
 }
 
-/// Waits for the word to run the cases; false when there will be none.
-bool is_let_go(int go) {
-    char word = 0;
-    return go < 0 || read_all(go, &word, 1);
+/// Waits for the word to run the cases, which is the limits that hold for them;
+/// nothing when there will be none.
+std::optional<Limits> wait_for_word(int go) {
+    if (go < 0) return Limits{};
+    std::string word = encode(LimitNumbers{});
+    if (!read_all(go, word.data(), word.size())) return std::nullopt;
+    return std::bit_cast<Limits>(decode<LimitNumbers>(word));
 }
 
 void run_cases(Catch::Session& session, const Options& options,
-               JudgeStream& stream) {
+               const Limits& limits, JudgeStream& stream) {
     std::optional<Client> client;
     if (options.control >= 0) {
-        client.emplace(Descriptor(options.control), Limits{});
+        client.emplace(Descriptor(options.control), limits);
         client->on_failure = [](Verdict verdict, const std::string& why) {
             Failure failure = failure_of_last_call();
             failure.got = why;
@@ -351,7 +355,8 @@ int judge(const Options& options) {
     JudgeStream stream{Descriptor(options.results)};
     stream.plan(all_cases(session));
     make_ready(session);
-    if (is_let_go(options.go)) run_cases(session, options, stream);
+    if (const auto limits = wait_for_word(options.go))
+        run_cases(session, options, *limits, stream);
     stream.end();
     return 0;
 }
@@ -382,8 +387,8 @@ int main(int argc, char** argv) {
     app.add_option("--results", options.results,
                    "descriptor that the results are written to");
     app.add_option("--go", options.go,
-                   "descriptor that a byte is awaited on before the cases are "
-                   "run; none of them is when it is closed instead");
+                   "descriptor that the limits are awaited on before the cases "
+                   "are run; none of them is when it is closed instead");
     app.add_option("--seed", options.seeds,
                    "seed of generated meshes; every case is run once for each");
     app.add_option("--submitted", options.submitted,

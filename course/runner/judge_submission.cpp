@@ -31,7 +31,8 @@ ExerciseResult judge_function(Workplace& workplace, JudgeRun run,
     const fs::path shared = folder / "submission.so";
     DescriptorPair control = socket_pair();
     const Descriptor complaints = anonymous_file();
-    Process launcher = workplace.launch(shared, control.second, complaints);
+    Process launcher = workplace.launch(shared, run.exercise.limits,
+                                        control.second, complaints);
     control.second.reset();
     run.control = std::move(control.first);
     RunningJudge judge(run);
@@ -57,7 +58,8 @@ ExerciseResult judge_function(Workplace& workplace, JudgeRun run,
 /// A file that no student wrote by hand is not even opened.
 std::optional<ExerciseResult> too_large(const JudgeRun& run,
                                         std::uintmax_t size) {
-    const auto most = static_cast<std::uintmax_t>(Limits{}.source_kib) << 10;
+    const auto most =
+        static_cast<std::uintmax_t>(run.exercise.limits.source_kib) << 10;
     if (size <= most) return std::nullopt;
     ExerciseResult result =
         every_case(run.exercise, run.kind, Verdict::compile_error);
@@ -171,7 +173,7 @@ Compiled LocalWorkplace::compile(const Exercise& exercise,
     return compiled_from(step, compiler_patience);
 }
 
-Process LocalWorkplace::launch(const fs::path& shared,
+Process LocalWorkplace::launch(const fs::path& shared, const Limits&,
                                const Descriptor& control,
                                const Descriptor& complaints) {
     Command launcher;

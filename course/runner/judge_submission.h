@@ -36,11 +36,12 @@ public:
                              const std::filesystem::path& source,
                              const std::filesystem::path& shared) = 0;
 
-    /// Starts a launcher for `shared`, which compile is going to make; with the
-    /// other end of its conversation with the judge, and a file for what it has
-    /// to complain about. Throws SystemError.
+    /// Starts a launcher for `shared`, which compile is going to make, whose
+    /// workers have these limits; with the other end of its conversation with
+    /// the judge, and a file for what it has to complain about. Throws
+    /// SystemError.
     virtual Process launch(const std::filesystem::path& shared,
-                           const Descriptor& control,
+                           const Limits& limits, const Descriptor& control,
                            const Descriptor& complaints) = 0;
 };
 
@@ -50,7 +51,7 @@ public:
     Compiled compile(const Exercise& exercise,
                      const std::filesystem::path& source,
                      const std::filesystem::path& shared) override;
-    Process launch(const std::filesystem::path& shared,
+    Process launch(const std::filesystem::path& shared, const Limits& limits,
                    const Descriptor& control,
                    const Descriptor& complaints) override;
 };

@@ -1,8 +1,12 @@
 // What a submission may use. One set of values for lab and grader, so that
-// what passes at home passes in grading.
+// what passes at home passes in grading; an assignment may have others, which
+// are then in the copy for its students, too.
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <map>
+#include <string>
 
 namespace course {
 
@@ -35,6 +39,18 @@ struct Limits {
     std::int32_t reply_kib = 256;
     /// The longest file that is compiled.
     std::int32_t source_kib = 4096;
+
+    friend bool operator==(const Limits&, const Limits&) = default;
 };
+
+/// For files and other programs: std::bit_cast makes them of Limits, and back.
+using LimitNumbers =
+    std::array<std::int32_t, sizeof(Limits) / sizeof(std::int32_t)>;
+
+/// What the file .lab/limits of a student's copy says of exercises, by name: a
+/// line for each, the name and the numbers of Limits in their order. Lines that
+/// say something else are left out.
+std::string limits_file(const std::map<std::string, Limits>& limits);
+std::map<std::string, Limits> read_limits_file(const std::string& text);
 
 }  // namespace course

@@ -4,6 +4,9 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <bit>
+
+#include "course/runner/codec.h"
 #include "course/runner/compile.h"
 #include "course/runner/judge_stream.h"
 #include "course/runner/process.h"
@@ -53,6 +56,14 @@ void lift_fault(ExerciseResult& result) {
                                  : c.failures[0].got;
 }
 
+/// A judge that takes longer is ended: what its own limits add up to is far
+/// below.
+std::chrono::milliseconds patience_with(const JudgeRun& run) {
+    constexpr std::chrono::milliseconds beside{30'000};
+    const std::chrono::milliseconds once(run.exercise.limits.run_ms);
+    return (once + beside) * static_cast<int>(run.seeds.size());
+}
+
 std::vector<std::string> arguments_of(const JudgeRun& run) {
     std::vector<std::string> list = {judge_program(run.exercise, run.kind)};
     for (const std::uint64_t seed : run.seeds)
@@ -66,7 +77,7 @@ std::vector<std::string> arguments_of(const JudgeRun& run) {
 
 RunningJudge::RunningJudge(const JudgeRun& run)
     : exercise_(run.exercise),
-      most_(run.most * static_cast<int>(run.seeds.size())),
+      most_(patience_with(run)),
       complaints_(anonymous_file()) {
     constexpr int control = 3, results = 4, go = 5;
     DescriptorPair report = pipe_pair(), start = socket_pair();
@@ -103,7 +114,8 @@ ExerciseResult RunningJudge::report(std::chrono::milliseconds most) {
 
 ExerciseResult RunningJudge::result() {
     // Fails when the judge has ended already; its report then tells.
-    send_all(go_.get(), "g", Clock::now() + std::chrono::seconds(1));
+    send_all(go_.get(), encode(std::bit_cast<LimitNumbers>(exercise_.limits)),
+             Clock::now() + std::chrono::seconds(1));
     ExerciseResult result = report(most_);
     lift_load_error(exercise_, result);
     lift_fault(result);

@@ -36,9 +36,6 @@ struct JudgeRun {
     Descriptor control;
     /// The submitted file of a data exercise.
     std::filesystem::path submitted;
-    /// A judge that takes longer for one run of all cases is ended: its limits
-    /// are far below.
-    std::chrono::milliseconds most{50'000};
 };
 
 /// A judge that has been started. It makes ready what takes long, says which

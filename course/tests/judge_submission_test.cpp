@@ -78,6 +78,35 @@ void check_fails_on_border(const std::string& lines, Verdict expected,
 
 }  // namespace
 
+TEST_CASE("limits of exercises are read as they were written") {
+    Limits some, none;
+    some.call_ms = 77;
+    some.source_kib = 1;
+    const std::map<std::string, Limits> all = {{"tip", none}, {"prev", some}};
+    CHECK((read_limits_file(limits_file(all)) == all));
+    CHECK(read_limits_file("tip 1 2 3\nprev one\n\n" + limits_file(all) +
+                           "face 1 2 3 4 5 6 7 8 9 10 11 12 13 14\n")
+              .size() == 2);
+}
+
+TEST_CASE("the limits of the exercise are those of its submission") {
+    const TemporaryFolder folder;
+    const auto file = folder / "face_sides.cpp";
+    std::ofstream(file) << include_contract
+                        << right_after(
+                               "static volatile char* much = "
+                               "new char[256 << 20]; *much = 1;");
+    Exercise exercise = exercise_named("face_sides");
+    LocalWorkplace workplace;
+    const auto verdict = [&] {
+        return judge_submission(workplace, exercise, file, JudgeKind::lab, {1})
+            .verdict;
+    };
+    CHECK(verdict() == Verdict::accepted);
+    exercise.limits.memory_mib = 200;
+    CHECK(verdict() == Verdict::memory_limit_exceeded);
+}
+
 TEST_CASE("a right submission is accepted with all its points") {
     const ExerciseResult result = judged(right_after(""));
     INFO(text_of(result));

@@ -55,6 +55,19 @@ std::string_view words(FeedbackLevel level) {
     return "everything";
 }
 
+std::string limits_text(const Assignment& assignment) {
+    const std::vector<SharedLimits> all = limits_of(assignment);
+    std::string text;
+    for (const SharedLimits& one : all)
+        text += fmt::format(
+            "  limits{}: {}\n",
+            all.size() == 1
+                ? ""
+                : fmt::format(" of {}", fmt::join(one.exercises, ", ")),
+            text_of(one.limits));
+    return text;
+}
+
 std::string summary(const Assignment& assignment) {
     std::string text = fmt::format("{}, exercises: {}\n", assignment.name,
                                    assignment.exercises.size());
@@ -70,7 +83,7 @@ std::string summary(const Assignment& assignment) {
             ? "multiples of " + course::points_text(assignment.rounding)
             : "not rounded",
         assignment.in_teams ? "teams" : "each student alone");
-    return text;
+    return text + limits_text(assignment);
 }
 
 /// Prints what is in the file, or all that is wrong with it.

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <fstream>
 #include <iterator>
@@ -84,6 +85,29 @@ FeedbackLevel hidden_feedback_at(const Assignment& assignment, Instant now) {
     const bool is_over = !assignment.due || now > assignment.due->at;
     return is_over ? assignment.hidden_feedback.after_due
                    : assignment.hidden_feedback.before_due;
+}
+
+std::vector<SharedLimits> limits_of(const Assignment& assignment) {
+    std::vector<SharedLimits> all;
+    for (const Assignment::Item& item : assignment.exercises) {
+        const auto same = [&](const SharedLimits& one) {
+            return one.limits == item.limits;
+        };
+        auto shared = std::find_if(all.begin(), all.end(), same);
+        if (shared == all.end())
+            shared = all.insert(shared, SharedLimits{item.limits, {}});
+        shared->exercises.emplace_back(short_name(item.exercise));
+    }
+    return all;
+}
+
+std::string text_of(const course::Limits& limits) {
+    constexpr double ms = 1000;
+    return fmt::format(
+        "{} s for a call, {} s for a case, {} s for all; {} s of CPU in which "
+        "a case ends or takes more memory; {} MiB",
+        limits.call_ms / ms, limits.case_ms / ms, limits.run_ms / ms,
+        limits.cpu_ms / ms, limits.memory_mib);
 }
 
 std::string_view short_name(std::string_view exercise) {

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "course/runner/limits.h"
 #include "grader/pipeline/lateness.h"
 
 namespace grader {
@@ -34,6 +35,7 @@ struct Assignment {
         std::string exercise;   ///< as in the list of known names
         double weight = 1;      ///< multiplies the exercise's points
         bool is_bonus = false;  ///< adds to what is reached, not to the maximum
+        course::Limits limits = {};  ///< of a submission of it
 
         friend bool operator==(const Item&, const Item&) = default;
     };
@@ -79,6 +81,19 @@ Assignment default_assignment(const std::vector<std::string>& known);
 
 /// What students may be told of hidden cases at that moment.
 FeedbackLevel hidden_feedback_at(const Assignment& assignment, Instant now);
+
+/// Exercises of an assignment that have the same limits.
+struct SharedLimits {
+    course::Limits limits;
+    std::vector<std::string> exercises;  ///< their short names
+};
+
+/// In the order of their first exercises.
+std::vector<SharedLimits> limits_of(const Assignment& assignment);
+
+/// "2 s for a call, 5 s for a case, 20 s for all; 0.25 s of CPU in which a case
+/// ends or takes more memory; 512 MiB".
+std::string text_of(const course::Limits& limits);
 
 /// "face_sides" of "01_traversal/face_sides".
 std::string_view short_name(std::string_view exercise);

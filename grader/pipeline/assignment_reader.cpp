@@ -62,7 +62,7 @@ auto find_named(const List& list, std::string_view name) {
 
 }  // namespace
 
-const std::array<AssignmentReader::Key, 9> AssignmentReader::keys = {{
+const std::array<AssignmentReader::Key, 10> AssignmentReader::keys = {{
     {"name", &AssignmentReader::read_name},
     {"exercises", &AssignmentReader::read_exercises},
     {"bonus", &AssignmentReader::read_bonus},
@@ -70,6 +70,7 @@ const std::array<AssignmentReader::Key, 9> AssignmentReader::keys = {{
     {"due", &AssignmentReader::read_due},
     {"time_zone", &AssignmentReader::read_time_zone},
     {"late", &AssignmentReader::read_late},
+    {"limits", &AssignmentReader::read_limits},
     {"rounding", &AssignmentReader::read_rounding},
     {"teams", &AssignmentReader::read_teams},
 }};
@@ -87,6 +88,14 @@ const std::array<AssignmentReader::Key, 5> AssignmentReader::late_keys = {{
     {"last_day", &AssignmentReader::read_last_day},
 }};
 
+const std::array<AssignmentReader::Key, 5> AssignmentReader::limit_keys = {{
+    {"call_seconds", &AssignmentReader::read_call_limit},
+    {"cpu_seconds", &AssignmentReader::read_cpu_limit},
+    {"case_seconds", &AssignmentReader::read_case_limit},
+    {"all_seconds", &AssignmentReader::read_all_limit},
+    {"memory_mib", &AssignmentReader::read_memory_limit},
+}};
+
 void AssignmentReader::read(const toml::table& file) {
     read_keys(file, "", keys);
     if (file.get("exercises") == nullptr)
@@ -95,6 +104,7 @@ void AssignmentReader::read(const toml::table& file) {
               "as face_sides = 1 for each exercise");
     set_due();
     check_late(file);
+    set_limits();
     sort();
 }
 
@@ -113,18 +123,20 @@ void AssignmentReader::wrong(const toml::node& node, std::string_view name,
 template <std::size_t N>
 void AssignmentReader::read_keys(const toml::table& table, std::string_view of,
                                  const std::array<Key, N>& known) {
-    for (const auto& [key, value] : table) {
-        const auto one = find_named(known, key.str());
-        if (one != known.end()) {
-            (this->*one->read)(value);
-            continue;
-        }
-        const std::vector<std::string> names = names_in(known);
-        wrong(key.source().begin,
-              fmt::format("'{}' is not a key{}; expected one of {}{}",
-                          key.str(), of, fmt::join(names, ", "),
-                          course::did_you_mean(key.str(), names)));
-    }
+    for (const auto& [key, value] : table) read_key(key, value, of, known);
+}
+
+template <std::size_t N>
+void AssignmentReader::read_key(const toml::key& key, const toml::node& value,
+                                std::string_view of,
+                                const std::array<Key, N>& known) {
+    const auto one = find_named(known, key.str());
+    if (one != known.end()) return (this->*one->read)(value);
+    const std::vector<std::string> names = names_in(known);
+    wrong(key.source().begin,
+          fmt::format("'{}' is not a key{}; expected one of {}{}", key.str(),
+                      of, fmt::join(names, ", "),
+                      course::did_you_mean(key.str(), names)));
 }
 
 template <class List>
@@ -327,6 +339,109 @@ void AssignmentReader::check_late(const toml::table& file) {
                            "percent a day takes off"
                          : "[late] has percent_per_day; expected it with "
                            "policy = \"percent_per_day\" only");
+}
+
+// ---- limits
+
+/// toml++ keeps keys by alphabet: those of all exercises come first, since the
+/// exercises' own tables go on from them.
+void AssignmentReader::read_limits(const toml::node& value) {
+    const auto* table = value.as_table();
+    if (table == nullptr)
+        return wrong(value, "limits", "a table such as [limits]");
+    for (const auto& [key, limit] : *table)
+        if (!limit.is_table()) read_key(key, limit, " of [limits]", limit_keys);
+    check_limits(*table);
+    common_limits_ = limits_;
+    for (const auto& [key, own] : *table)
+        if (own.is_table()) read_limits_of(key, *own.as_table());
+}
+
+void AssignmentReader::read_limits_of(const toml::key& exercise,
+                                      const toml::table& table) {
+    const std::string_view name = exercise.str();
+    const auto known = known_exercise(name);
+    if (!known)
+        return wrong(exercise.source().begin,
+                     fmt::format("'{}' is not an exercise; expected one of the "
+                                 "{} there are{}",
+                                 name, known_.size(), suggestion(name)));
+    limits_ = common_limits_;
+    read_keys(table, fmt::format(" of [limits.{}]", name), limit_keys);
+    check_limits(table);
+    own_limits_.push_back({exercise.source().begin, *known, limits_});
+}
+
+/// Whole ones of a number of seconds.
+std::optional<std::int32_t> AssignmentReader::milliseconds(
+    const toml::node& node, std::string_view name, int most) {
+    const auto seconds = number(node, name, 0.01, most);
+    if (!seconds) return std::nullopt;
+    return static_cast<std::int32_t>(*seconds * 1000);
+}
+
+void AssignmentReader::read_call_limit(const toml::node& value) {
+    const auto ms = milliseconds(value, "call_seconds", 60);
+    if (!ms) return;
+    limits_.call_ms = *ms;
+    limits_.later_call_ms = *ms / 10;
+}
+
+void AssignmentReader::read_cpu_limit(const toml::node& value) {
+    const auto ms = milliseconds(value, "cpu_seconds", 60);
+    if (!ms) return;
+    limits_.cpu_ms = *ms;
+    limits_.later_cpu_ms = *ms * 2 / 5;
+}
+
+/// The system counts a case's CPU time in whole seconds.
+void AssignmentReader::read_case_limit(const toml::node& value) {
+    const auto ms = milliseconds(value, "case_seconds", 600);
+    if (!ms) return;
+    limits_.case_ms = *ms;
+    limits_.cpu_seconds = (*ms * 4 / 5 + 999) / 1000;
+}
+
+void AssignmentReader::read_all_limit(const toml::node& value) {
+    limits_.run_ms =
+        milliseconds(value, "all_seconds", 3600).value_or(limits_.run_ms);
+}
+
+void AssignmentReader::read_memory_limit(const toml::node& value) {
+    limits_.memory_mib =
+        count(value, "memory_mib", 64, 16'384).value_or(limits_.memory_mib);
+}
+
+/// A limit that lies above the one around it would never be met.
+void AssignmentReader::check_limits(const toml::table& table) {
+    const auto check = [&](std::string_view inner, std::int32_t inner_ms,
+                           std::string_view outer, std::int32_t outer_ms) {
+        const toml::node* given = table.get(inner);
+        if (given != nullptr && inner_ms > outer_ms)
+            wrong(
+                *given, inner,
+                fmt::format("at most the {} of {}", outer_ms / 1000.0, outer));
+    };
+    check("call_seconds", limits_.call_ms, "case_seconds", limits_.case_ms);
+    check("cpu_seconds", limits_.cpu_ms, "case_seconds", limits_.case_ms);
+    check("case_seconds", limits_.case_ms, "all_seconds", limits_.run_ms);
+}
+
+void AssignmentReader::set_limits() {
+    for (Placed& one : placed_) one.item.limits = common_limits_;
+    for (const PlacedLimits& own : own_limits_) {
+        const auto is_it = [&](const Placed& one) {
+            return one.item.exercise == own.exercise;
+        };
+        const auto found = std::find_if(placed_.begin(), placed_.end(), is_it);
+        if (found != placed_.end())
+            found->item.limits = own.limits;
+        else
+            wrong(own.at,
+                  fmt::format("{} has limits, but is not of this assignment; "
+                              "expected an exercise that is",
+                              own.exercise));
+    }
 }
 
 // ---- totals

@@ -4,6 +4,7 @@
 #include <toml++/toml.h>
 
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -30,13 +31,19 @@ private:
         std::string_view name;
         void (AssignmentReader::*read)(const toml::node&);
     };
-    static const std::array<Key, 9> keys;
+    static const std::array<Key, 10> keys;
     static const std::array<Key, 2> feedback_keys;
     static const std::array<Key, 5> late_keys;
+    static const std::array<Key, 5> limit_keys;
 
     struct Placed {
         toml::source_position at;
         Assignment::Item item;
+    };
+    struct PlacedLimits {
+        toml::source_position at;
+        std::string exercise;
+        course::Limits limits;
     };
     struct PlacedText {
         toml::source_position at;
@@ -50,6 +57,9 @@ private:
     template <std::size_t N>
     void read_keys(const toml::table& table, std::string_view of,
                    const std::array<Key, N>& known);
+    template <std::size_t N>
+    void read_key(const toml::key& key, const toml::node& value,
+                  std::string_view of, const std::array<Key, N>& known);
     template <class List>
     auto choice(const toml::node& node, std::string_view name, const List& list)
         -> std::optional<decltype(list[0].value)>;
@@ -80,6 +90,17 @@ private:
     void read_free_days(const toml::node& value);
     void read_last_day(const toml::node& value);
     void check_late(const toml::table& file);
+    void read_limits(const toml::node& value);
+    void read_limits_of(const toml::key& exercise, const toml::table& table);
+    void read_call_limit(const toml::node& value);
+    void read_cpu_limit(const toml::node& value);
+    void read_case_limit(const toml::node& value);
+    void read_all_limit(const toml::node& value);
+    void read_memory_limit(const toml::node& value);
+    std::optional<std::int32_t> milliseconds(const toml::node& node,
+                                             std::string_view name, int most);
+    void check_limits(const toml::table& table);
+    void set_limits();
     void read_rounding(const toml::node& value);
     void read_teams(const toml::node& value);
     void sort();
@@ -87,6 +108,9 @@ private:
 
     const std::vector<std::string>& known_;
     std::vector<Placed> placed_;
+    course::Limits limits_;  ///< those that are being read
+    course::Limits common_limits_;
+    std::vector<PlacedLimits> own_limits_;
     PlacedText due_;
     PlacedText zone_ = {{}, "UTC"};
 };

@@ -22,7 +22,7 @@ std::vector<std::uint64_t> judging_seeds(std::uint64_t seed, int repeats,
                                          std::string_view source);
 
 /// Keys of submissions under this build: source, suite, headers, flags,
-/// compiler, worker, limits, seed and isolation all go in.
+/// compiler, worker, limits of the exercise, seed and isolation all go in.
 class Keys {
 public:
     /// Reads what does not depend on the submission. Throws SystemError when

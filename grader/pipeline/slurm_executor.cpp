@@ -1,7 +1,9 @@
 #include "grader/pipeline/slurm_executor.h"
 
 #include <algorithm>
+#include <bit>
 #include <map>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -44,10 +46,11 @@ public:
     std::vector<Pending> take();
 
 private:
-    using Source = std::pair<std::string, std::string>;  ///< of a JobTask
+    /// Of a JobTask, and the limits of its exercise.
+    using Source = std::tuple<std::string, std::string, course::LimitNumbers>;
 
     void take_from(const JobFolder& old);
-    void take(const JobTask& listed, const ExerciseResult& result);
+    void take(const Source& source, const ExerciseResult& result);
     void list_tasks();
 
     const SlurmWork& work_;
@@ -57,12 +60,14 @@ private:
 void Leftovers::list_tasks() {
     for (std::size_t k = 0; k < work_.tasks.count; ++k) {
         const Task task = work_.tasks.at(k);
-        wanted_[{task.exercise->full_name(), sha256(task.source)}].push_back(k);
+        wanted_[{task.exercise->full_name(), sha256(task.source),
+                 std::bit_cast<course::LimitNumbers>(task.exercise->limits)}]
+            .push_back(k);
     }
 }
 
-void Leftovers::take(const JobTask& listed, const ExerciseResult& result) {
-    const auto found = wanted_.find({listed.exercise, listed.source});
+void Leftovers::take(const Source& source, const ExerciseResult& result) {
+    const auto found = wanted_.find(source);
     if (found == wanted_.end() || result.verdict == Verdict::grader_fault)
         return;
     for (const std::size_t task : found->second) work_.take(task, result);
@@ -74,8 +79,12 @@ void Leftovers::take_from(const JobFolder& old) {
     if (!job || !is_alike(*job, work_.conditions)) return;
     for (const std::size_t k : old.results()) {
         if (k >= job->tasks.size()) continue;
-        if (const auto result = old.result(k, job->tasks[k]))
-            take(job->tasks[k], *result);
+        const JobTask& listed = job->tasks[k];
+        if (const auto result = old.result(k, listed))
+            take({listed.exercise, listed.source,
+                  std::bit_cast<course::LimitNumbers>(
+                      limits_in(*job, listed.exercise))},
+                 *result);
     }
 }
 

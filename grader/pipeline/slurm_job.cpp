@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <charconv>
 #include <fstream>
 #include <set>
@@ -31,7 +32,7 @@ struct Judged {
 };
 
 /// Another number for each change of what is encoded behind it.
-constexpr std::string_view magic = "half-edge grader job, version 1\n";
+constexpr std::string_view magic = "half-edge grader job, version 2\n";
 constexpr std::size_t hash_length = 64;
 
 std::string sealed(const std::string& body) {
@@ -99,13 +100,21 @@ fs::path result_file(const fs::path& job, std::size_t task) {
 
 }  // namespace
 
+course::Limits limits_in(const Job& job, const std::string& exercise) {
+    const auto found = job.limits.find(exercise);
+    if (found == job.limits.end()) return {};
+    return std::bit_cast<course::Limits>(found->second);
+}
+
 std::vector<course::Exercise> exercises_of(const Job& job) {
     std::set<std::string> names;
     for (const JobTask& task : job.tasks) names.insert(task.exercise);
     std::vector<course::Exercise> found;
-    for (course::Exercise& exercise : course::all_exercises())
-        if (names.erase(exercise.full_name()) > 0)
-            found.push_back(std::move(exercise));
+    for (course::Exercise& exercise : course::all_exercises()) {
+        if (names.erase(exercise.full_name()) == 0) continue;
+        exercise.limits = limits_in(job, exercise.full_name());
+        found.push_back(std::move(exercise));
+    }
     if (!names.empty())
         throw course::UnknownExercise(
             fmt::format("there is no exercise \"{}\" here", *names.begin()));

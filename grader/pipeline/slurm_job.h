@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -35,11 +36,16 @@ struct Job {
     std::string build;        ///< see build_version
     std::uint64_t chunk = 1;  ///< so many tasks are judged in one go
     std::vector<JobTask> tasks;
+    std::map<std::string, course::LimitNumbers> limits;  ///< of its exercises
 
     std::size_t chunks() const { return (tasks.size() + chunk - 1) / chunk; }
 };
 
-/// The exercises of its tasks, each once. Throws course::UnknownExercise.
+/// Of an exercise of the job, by its full name.
+course::Limits limits_in(const Job& job, const std::string& exercise);
+
+/// The exercises of its tasks, each once, with their limits. Throws
+/// course::UnknownExercise.
 std::vector<course::Exercise> exercises_of(const Job& job);
 
 /// Changes with this program, the suites, the worker, the headers that

@@ -4,6 +4,7 @@
 #include <sys/wait.h>
 
 #include <algorithm>
+#include <map>
 #include <set>
 #include <sstream>
 
@@ -154,6 +155,17 @@ void keep_originals(const fs::path& dir, const std::vector<Exercise>& all) {
     }
 }
 
+/// Lab finds there what grading will allow.
+void write_limits(const fs::path& dir, const std::vector<Exercise>& all) {
+    std::map<std::string, course::Limits> others;
+    for (const Exercise& exercise : all)
+        if (exercise.limits != course::Limits())
+            others[exercise.name] = exercise.limits;
+    if (!others.empty())
+        course::replace_text(dir / ".lab" / "limits",
+                             course::limits_file(others));
+}
+
 /// The student's part of the README: title, and from its heading to the next.
 std::string student_readme(const std::string& readme) {
     const std::string heading = "## For students";
@@ -236,17 +248,18 @@ std::string complaint_about_skeleton(const Trial::Said& said,
 std::vector<Exercise> released_exercises(
     const std::optional<Assignment>& assignment) {
     if (!assignment) return course::all_exercises();
-    std::set<std::string> names;
+    std::map<std::string, course::Limits> limits;  // by name
     for (const Assignment::Item& item : assignment->exercises) {
         const Exercise exercise =
             course::exercise_named(std::string(short_name(item.exercise)));
-        names.insert(exercise.name);
+        limits[exercise.name] = item.limits;
         for (const Exercise& before : course::exercises_before(exercise))
-            names.insert(before.name);
+            limits.try_emplace(before.name);
     }
     std::vector<Exercise> list = course::all_exercises();
     std::erase_if(list,
-                  [&](const Exercise& e) { return !names.contains(e.name); });
+                  [&](const Exercise& e) { return !limits.contains(e.name); });
+    for (Exercise& exercise : list) exercise.limits = limits[exercise.name];
     return list;
 }
 
@@ -258,6 +271,7 @@ void make_student_copy(const fs::path& to,
         if (fs::exists(course::source_root() / name))
             copy_tree(name, to, choice);
     keep_originals(to, exercises);
+    write_limits(to, exercises);
     course::replace_text(
         to / "README.md",
         student_readme(course::read_file(course::source_root() / "README.md")));

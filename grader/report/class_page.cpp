@@ -543,6 +543,20 @@ Html suite_rows(const ClassSummary& results) {
     return rows;
 }
 
+/// What submissions could use, in a row for all exercises or for some.
+Html limit_rows(const Assignment& assignment) {
+    const std::vector<SharedLimits> all = limits_of(assignment);
+    Html rows;
+    for (const SharedLimits& one : all)
+        rows +=
+            markup("<tr><th>limits{}</th><td>{}</td></tr>\n",
+                   all.size() == 1
+                       ? ""
+                       : fmt::format(" of {}", fmt::join(one.exercises, ", ")),
+                   text_of(one.limits));
+    return rows;
+}
+
 Html run_section(const ClassSummary& results) {
     const Run& run = results.run;
     return markup(R"(<h2>The run</h2>
@@ -551,7 +565,7 @@ Html run_section(const ClassSummary& results) {
 <tr><th>sandbox</th><td>{}</td></tr>
 <tr><th>seed</th><td>{}</td></tr>
 <tr><th>grader</th><td>{}</td></tr>
-</tbody>
+{}</tbody>
 </table>
 <table>
 <thead><tr><th>exercise</th><th>file</th><th class="n">points</th>)"
@@ -561,7 +575,8 @@ Html run_section(const ClassSummary& results) {
 {}</tbody>
 </table>
 )",
-                  run.sandbox, run.seed, run.version, suite_rows(results));
+                  run.sandbox, run.seed, run.version,
+                  limit_rows(results.assignment), suite_rows(results));
 }
 
 }  // namespace

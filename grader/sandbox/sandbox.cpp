@@ -109,8 +109,9 @@ std::pair<Descriptor, int> lock_users() {
 
 constexpr StepLimits compiling = {10, 2048, 2112, 32, 32};
 // Each worker sets limits of its own; beside it stand launcher and bubblewrap.
-constexpr StepLimits running = {0, 0, course::Limits{}.memory_mib + 128, 32,
-                                16};
+StepLimits running(const course::Limits& limits) {
+    return {0, 0, limits.memory_mib + 128, 32, 16};
+}
 
 uid_t user_of(const Stage& stage, int slot) {
     return static_cast<uid_t>(stage.first_user() + slot);
@@ -390,7 +391,7 @@ bool has_started(Isolation isolation, const course::Finished& finished,
 // ---- trying it
 
 Arguments probe_arguments(const Stage& stage, Isolation isolation) {
-    Arguments list = entering(stage, 0, running, std::nullopt);
+    Arguments list = entering(stage, 0, running({}), std::nullopt);
     if (isolation == Isolation::bubblewrap) {
         append(list, bubblewrap());
         append(list, worker_mounts(stage));
@@ -508,6 +509,7 @@ course::Compiled Sandbox::compile(const course::Exercise& exercise,
 }
 
 course::Process Sandbox::launch(const fs::path& shared,
+                                const course::Limits& limits,
                                 const Descriptor& control,
                                 const Descriptor& complaints) {
     // The same file that compile fills: it is shown inside before that.
@@ -520,7 +522,7 @@ course::Process Sandbox::launch(const fs::path& shared,
                            {control.get(), 3},
                            {strict.get(), 4},
                            {filter.get(), 9}};
-    enter(command, "run", running, group_);
+    enter(command, "run", running(limits), group_);
     return course::Process(command);
 }
 

@@ -98,6 +98,7 @@ public:
                              const std::filesystem::path& source,
                              const std::filesystem::path& shared) override;
     course::Process launch(const std::filesystem::path& shared,
+                           const course::Limits& limits,
                            const course::Descriptor& control,
                            const course::Descriptor& complaints) override;
 

@@ -33,8 +33,20 @@ TEST_CASE("a good assignment is summed up, with its due date in both clocks") {
           "due: 2026-12-11 23:59 CET (Europe/Rome), 2026-12-11 22:59 UTC",
           "late work: 12.5 % less for each day that has begun; minutes of "
           "grace: 10; days that cost nothing: 2; last day that counts: 7\n",
-          "totals: multiples of 0.5", "handed in by: teams"})
+          "totals: multiples of 0.5", "handed in by: teams",
+          "  limits: 2 s for a call, 5 s for a case, 20 s for all; 0.25 s of "
+          "CPU in which a case ends or takes more memory; 512 MiB\n"})
         CHECK(contains(said.text, part));
+}
+
+TEST_CASE("limits of some exercises are told apart") {
+    const Said said = checked(
+        "[exercises]\nprev = 1\ntip = 1\nface_sides = 1\n"
+        "[limits.tip]\nmemory_mib = 64\n");
+    CHECK(said.code == 0);
+    CHECK(contains(said.text, "  limits of prev, face_sides: 2 s for a call"));
+    CHECK(contains(said.text, "  limits of tip: 2 s for a call"));
+    CHECK(contains(said.text, "takes more memory; 64 MiB\n"));
 }
 
 TEST_CASE("every mistake of an assignment is said, with its line") {

@@ -87,8 +87,8 @@ TEST_CASE("all mistakes are reported, in the order of the file") {
     const std::vector<AssignmentMistake> expected = {
         {1, 1,
          "'nmae' is not a key; expected one of name, exercises, bonus, "
-         "hidden_feedback, due, time_zone, late, rounding, teams; did you mean "
-         "name?"},
+         "hidden_feedback, due, time_zone, late, limits, rounding, teams; did "
+         "you mean name?"},
         {2, 19,
          "hidden_feedback is the text 'ful'; expected \"names\", "
          "\"names_and_hints\", \"full\"; did you mean full?"},
@@ -192,6 +192,77 @@ TEST_CASE("mistakes in dates and in what is late") {
     };
     for (const auto& [text, expected] : rows)
         CHECK_THAT(message(text + end), Containing(expected));
+}
+
+TEST_CASE("limits hold for all exercises, and those of one go on from them") {
+    const Assignment assignment = read(
+        "[exercises]\nface_sides = 1\nvertex_star = 1\n"
+        "[limits]\ncase_seconds = 10\nmemory_mib = 1024\n"
+        "[limits.vertex_star]\ncall_seconds = 2.5\ncpu_seconds = 1\n"
+        "all_seconds = 60\n");
+    course::Limits all;
+    all.case_ms = 10'000;
+    all.cpu_seconds = 8;
+    all.memory_mib = 1024;
+    CHECK((assignment.exercises.at(0).limits == all));
+    course::Limits own = all;
+    own.call_ms = 2500;
+    own.later_call_ms = 250;
+    own.cpu_ms = 1000;
+    own.later_cpu_ms = 400;
+    own.run_ms = 60'000;
+    CHECK((assignment.exercises.at(1).limits == own));
+    const auto shared = limits_of(assignment);
+    REQUIRE(shared.size() == 2);
+    CHECK(shared[1].exercises == std::vector<std::string>{"vertex_star"});
+}
+
+TEST_CASE(
+    "the usual limits may be written down, and are still the usual ones") {
+    const Assignment assignment = read(
+        "[exercises]\nface_sides = 1\nvertex_star = 1\n"
+        "[limits]\ncall_seconds = 2\ncpu_seconds = 0.25\ncase_seconds = 5\n"
+        "all_seconds = 20\nmemory_mib = 512\n");
+    CHECK((assignment.exercises.at(0).limits == course::Limits()));
+    CHECK(limits_of(assignment).size() == 1);
+}
+
+TEST_CASE("mistakes in limits") {
+    const std::string begin = "[exercises]\nface_sides = 1\n";
+    const std::vector<std::pair<std::string, std::string>> rows = {
+        {"[limits]\ncall_second = 1\n",
+         ":4:1: 'call_second' is not a key of [limits]; expected one of "
+         "call_seconds, cpu_seconds, case_seconds, all_seconds, memory_mib; "
+         "did you mean call_seconds?"},
+        {"[limits]\ncall_seconds = '1 s'\n",
+         ":4:16: call_seconds is the text '1 s'; expected a number above 0.01 "
+         "and at most 60"},
+        {"[limits]\ncall_seconds = 0\n", ":4:16: call_seconds is 0;"},
+        {"[limits]\ncpu_seconds = nan\n", ":4:15: cpu_seconds is nan;"},
+        {"[limits]\ncase_seconds = 1e9\n", "at most 600"},
+        {"[limits]\nall_seconds = -3\n", "at most 3600"},
+        {"[limits]\nmemory_mib = 63\n",
+         ":4:14: memory_mib is 63; expected a whole number from 64 to 16384"},
+        {"[limits]\nmemory_mib = 512.5\n", ":4:14: memory_mib is 512.5;"},
+        {"[limits]\ncall_seconds = 6\n",
+         ":4:16: call_seconds is 6; expected at most the 5 of case_seconds"},
+        {"[limits]\ncase_seconds = 21\n", "at most the 20 of all_seconds"},
+        {"[limits.face_sides]\ncpu_seconds = 5.5\n",
+         ":4:15: cpu_seconds is 5.5; expected at most the 5 of case_seconds"},
+        {"[limits.face_side]\ncall_seconds = 1\n",
+         ":3:9: 'face_side' is not an exercise; expected one of the 4 there "
+         "are; did you mean face_sides?"},
+        {"[limits.vertex_star]\ncall_seconds = 1\n",
+         ":3:9: 01_traversal/vertex_star has limits, but is not of this "
+         "assignment"},
+        {"[limits.face_sides]\nmemory = 64\n",
+         ":4:1: 'memory' is not a key of [limits.face_sides]; expected one"},
+    };
+    for (const auto& [text, expected] : rows)
+        CHECK_THAT(message(begin + text), Containing(expected));
+    CHECK_THAT(message("limits = 3\n" + begin),
+               Containing(":1:10: limits is 3; expected a table"));
+    CHECK(mistakes(begin + "[limits]\ncase_seconds = 1\n").empty());
 }
 
 TEST_CASE("a chapter is part of the suggestion where it was written") {

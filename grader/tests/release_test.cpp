@@ -227,6 +227,19 @@ TEST_CASE("the copy for an assignment has its exercises and those they need") {
     CHECK_FALSE(fs::exists(made / "course" / "tests" / "lab_test.cpp"));
 }
 
+TEST_CASE("the copy has the limits of its assignment, and lab reads them") {
+    const course::TemporaryFolder folder;
+    const std::string file = assignment(
+        folder, "tip = 1\nprev = 1\n[limits.prev]\nmemory_mib = 64\n");
+    REQUIRE(code(release(folder / "copy", {"--quick", "--assignment", file})) ==
+            0);
+    const auto limits = course::read_limits_file(
+        course::read_file(folder / "copy" / ".lab" / "limits"));
+    REQUIRE(limits.size() == 1);
+    CHECK(limits.at("prev").memory_mib == 64);
+    CHECK_FALSE(fs::exists(copy() / ".lab" / "limits"));
+}
+
 TEST_CASE("a mistake in the assignment is named, and nothing is made") {
     const course::TemporaryFolder folder;
     const course::Finished finished = release(

@@ -410,6 +410,14 @@ TEST_CASE("of a killed head's job only results as good as new are taken") {
         job.conditions.isolation = Isolation::landlock;
         expected = 4;
     }
+    SECTION("judged under other limits") {
+        course::Limits limits;
+        limits.memory_mib = 64;
+        job.limits[tip().full_name()] =
+            std::bit_cast<course::LimitNumbers>(limits);
+        job.build = build_version(exercises_of(job));
+        expected = 4;
+    }
     SECTION("judged by another build") {
         job.build = "older";
         expected = 4;

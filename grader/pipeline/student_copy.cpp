@@ -6,12 +6,12 @@
 #include <algorithm>
 #include <map>
 #include <set>
-#include <sstream>
 
 #include "course/mesh/file_defects.h"
 #include "course/runner/pool.h"
 #include "course/runner/process.h"
 #include "course/runner/temporary_folder.h"
+#include "grader/pipeline/document_links.h"
 
 namespace grader {
 
@@ -87,21 +87,6 @@ public:
         return *path.begin() != "exercises" || takes_exercise(path);
     }
 
-    /// A chapter's page without the rows about exercises that are missing.
-    std::string page(const fs::path& path, const std::string& text) const {
-        std::string kept;
-        std::istringstream in(text);
-        for (std::string line; std::getline(in, line);)
-            if (!is_row_of_missing(path.parent_path().filename(), line))
-                kept += line + "\n";
-        return kept;
-    }
-
-    bool is_page(const fs::path& path) const {
-        return !missing_.empty() && *path.begin() == "exercises" &&
-               path.filename() == "README.md";
-    }
-
 private:
     bool takes_exercise(const fs::path& path) const {
         if (contracts_.contains(path)) return true;
@@ -113,16 +98,6 @@ private:
                 return e.topic == chapter &&
                        (stem == e.name || stem == e.name + "_test");
             });
-    }
-
-    bool is_row_of_missing(const std::string& chapter,
-                           const std::string& line) const {
-        return line.starts_with('|') &&
-               std::any_of(
-                   missing_.begin(), missing_.end(), [&](const Exercise& e) {
-                       return e.topic == chapter &&
-                              line.find("](" + e.name + ".md)") != line.npos;
-                   });
     }
 
     std::vector<Exercise> missing_;
@@ -138,12 +113,28 @@ void copy_tree(const fs::path& path, const fs::path& to, const Choice& choice) {
             copy_tree(path / entry.path().filename(), to, choice);
     } else if (choice.takes(path)) {
         fs::create_directories((to / path).parent_path());
-        if (choice.is_page(path))
-            course::replace_text(to / path,
-                                 choice.page(path, course::read_file(from)));
-        else
-            fs::copy_file(from, to / path);
+        fs::copy_file(from, to / path);
     }
+}
+
+/// Takes links out of a document that lead to what stayed here.
+void mend_links(const fs::path& copy, const fs::path& document) {
+    const fs::path folder = document.parent_path();
+    const fs::path before = course::source_root() / fs::relative(folder, copy);
+    const std::string text = course::read_file(document);
+    const std::string mended =
+        without_links(text, [&](std::string_view target) {
+            return fs::exists(before / target) && !fs::exists(folder / target);
+        });
+    if (mended != text) course::replace_text(document, mended);
+}
+
+void mend_all_links(const fs::path& copy) {
+    std::vector<fs::path> documents;
+    for (const auto& entry : fs::recursive_directory_iterator(copy))
+        if (entry.path().extension() == ".md")
+            documents.push_back(entry.path());
+    for (const fs::path& document : documents) mend_links(copy, document);
 }
 
 /// `lab reset` puts a student's file back to what stands here.
@@ -275,6 +266,7 @@ void make_student_copy(const fs::path& to,
     course::replace_text(
         to / "README.md",
         student_readme(course::read_file(course::source_root() / "README.md")));
+    mend_all_links(to);
 }
 
 std::vector<std::string> complaints_about_copy(

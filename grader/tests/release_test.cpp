@@ -6,12 +6,14 @@
 #include <sys/wait.h>
 
 #include <fstream>
+#include <regex>
 #include <set>
 
 #include "course/runner/catch2.h"
 #include "course/runner/exercises.h"
 #include "course/runner/process.h"
 #include "course/runner/temporary_folder.h"
+#include "grader/pipeline/document_links.h"
 
 using grader::Leak;
 
@@ -91,6 +93,27 @@ fs::path assignment(const course::TemporaryFolder& folder,
     return file;
 }
 
+/// The targets of the links of all documents below, each with its document,
+/// where there is no such file.
+void check_links(const fs::path& folder) {
+    const std::regex link(R"(\]\(([^()\s]+)\))");
+    int count = 0;
+    for (const std::string& name : files_below(folder)) {
+        if (!name.ends_with(".md")) continue;
+        const std::string text = course::read_file(folder / name);
+        for (std::sregex_iterator at(text.begin(), text.end(), link), end;
+             at != end; ++at) {
+            const std::string target = (*at)[1].str();
+            if (target.starts_with("http") || target.starts_with('#')) continue;
+            INFO(name << ": " << target);
+            ++count;
+            CHECK(fs::exists((folder / name).parent_path() /
+                             target.substr(0, target.find('#'))));
+        }
+    }
+    CHECK(count > 100);
+}
+
 std::set<std::string> names_in(const fs::path& folder) {
     std::set<std::string> names;
     for (const auto& entry : fs::directory_iterator(folder))
@@ -141,6 +164,32 @@ TEST_CASE("the sample class is not in the copy, and nothing that was built") {
         CHECK_FALSE(contains(file, ".build"));
         CHECK_FALSE(contains(file, ".git/"));
     }
+}
+
+TEST_CASE("every link of the copy leads to something") {
+    check_links(copy());
+}
+
+TEST_CASE("of a link to what is missing the text stays, of a row nothing") {
+    const auto mended = [](const std::string& document) {
+        return grader::without_links(document, [](std::string_view target) {
+            return target == "gone.md";
+        });
+    };
+    CHECK(mended("see [`he[i]` and\nmore](gone.md#here), [it](is.md)") ==
+          "see `he[i]` and\nmore, [it](is.md)");
+    CHECK(mended("| a |\n|---|\n| [1](gone.md) | x |\n| [2](is.md) | "
+                 "[3](gone.md) |\n| [4](gone.md) |") ==
+          "| a |\n|---|\n| [2](is.md) | 3 |\n");
+    CHECK(mended("One:\n\n| a |\n|---|\n| [1](gone.md) |\n| [2](gone.md) "
+                 "|\n\nTwo") == "One:\n\n\nTwo");
+    CHECK(mended("| a |\n|---|\n| [1](gone.md) |") == "");
+    CHECK(mended("| [1](gone.md) |") == "");
+    CHECK(mended("\n|---|\n| [1](gone.md) |") == "\n|---|\n");
+    for (const char* same :
+         {"", "](gone.md)", "[a](gone.md", "[&](int i) { he[i](gone.md, 2); }",
+          "[a](#gone.md)", "[a] (gone.md)"})
+        CHECK(mended(same) == same);
 }
 
 TEST_CASE("nothing hidden is in the copy") {
@@ -223,7 +272,12 @@ TEST_CASE("the copy for an assignment has its exercises and those they need") {
     const std::string page =
         course::read_file(made / "exercises" / "01_traversal" / "README.md");
     CHECK(contains(page, "](face_sides.md)"));
-    CHECK_FALSE(contains(page, "](face_vertices.md)"));
+    CHECK_FALSE(contains(page, "face_vertices"));
+    CHECK(contains(
+        course::read_file(made / "exercises" / "09_processing" / "README.md"),
+        "| | clustering (9.10) | local operations "
+        "([9.1](can_collapse.md) to 9.7) |"));
+    check_links(made);
     CHECK_FALSE(fs::exists(made / "course" / "tests" / "lab_test.cpp"));
 }
 

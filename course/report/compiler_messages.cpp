@@ -16,6 +16,9 @@ namespace {
 
 constexpr std::size_t most_messages = 3;
 constexpr std::size_t most_lines_of_source = 4;
+// Of a line, the rest of which nobody reads: std::regex needs some hundred
+// bytes of stack for each of its characters.
+constexpr std::size_t most_of_line = 2000;
 
 /// What a message says, and what it mostly means here.
 struct Usual {
@@ -143,14 +146,24 @@ std::string with_plain_quotes(std::string text) {
     return text;
 }
 
+/// The usual messages' patterns, in their order.
+const std::vector<std::regex>& patterns() {
+    static const std::vector<std::regex> all = [] {
+        std::vector<std::regex> made;
+        for (const Usual& usual : usual_ones) made.emplace_back(usual.pattern);
+        return made;
+    }();
+    return all;
+}
+
 /// The advice that fits, if any.
 void advise(CompilerMessage& message) {
     const std::string plain = with_plain_quotes(message.text);
-    for (const Usual& usual : usual_ones)
-        if (std::regex_search(plain, std::regex(usual.pattern))) {
-            message.advice = usual.advice;
+    for (std::size_t k = 0; k < usual_ones.size(); ++k)
+        if (std::regex_search(plain, patterns()[k])) {
+            message.advice = usual_ones[k].advice;
             message.explains_failures =
-                !message.is_error && usual.explains_failures;
+                !message.is_error && usual_ones[k].explains_failures;
             return;
         }
 }
@@ -241,12 +254,20 @@ std::string text_of(const CompilerMessage& message) {
         message.advice.empty() ? "" : fmt::format("  -> {}\n", message.advice));
 }
 
+/// The line that stands before all where the compiler came to no end (see
+/// compiled_from), or nothing.
+std::string why_stopped(std::string_view output) {
+    if (!output.starts_with("the compiler was stopped")) return "";
+    return std::string(output.substr(0, output.find('\n'))) + "\n\n";
+}
+
 }  // namespace
 
 std::vector<CompilerMessage> compiler_messages(std::string_view output) {
     Reader reader;
     std::istringstream lines{std::string(output)};
-    for (std::string line; std::getline(lines, line);) reader.take(line);
+    for (std::string line; std::getline(lines, line);)
+        reader.take(line.substr(0, most_of_line));
     std::vector<CompilerMessage> messages = reader.messages();
     std::stable_sort(messages.begin(), messages.end(),
                      [](const CompilerMessage& a, const CompilerMessage& b) {
@@ -258,7 +279,7 @@ std::vector<CompilerMessage> compiler_messages(std::string_view output) {
 std::string explain_compiler(std::string_view output) {
     const std::vector<CompilerMessage> messages = compiler_messages(output);
     if (messages.empty()) return std::string(output);
-    std::string text;
+    std::string text = why_stopped(output);
     for (std::size_t k = 0; k < messages.size() && k < most_messages; ++k)
         text += (k > 0 ? "\n" : "") + text_of(messages[k]);
     if (messages.size() > most_messages)

@@ -25,8 +25,9 @@ struct CompilerMessage {
 /// concerns no file of the student's, are left out.
 std::vector<CompilerMessage> compiler_messages(std::string_view output);
 
-/// The first of them in full, and how many more there are; the output as it is
-/// when no message is found in it. The first line of each is
+/// The first of them in full, and how many more there are, below the word that
+/// the compiler was stopped; the output as it is when no message is found in it.
+/// Of lines that no terminal shows whole, the begin. The first line of each is
 /// "file:line:column: error: text", as editors know it.
 std::string explain_compiler(std::string_view output);
 

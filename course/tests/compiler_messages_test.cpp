@@ -161,6 +161,22 @@ TEST_CASE("three messages are shown, and the number of the others") {
     CHECK(text.find("(2 more messages") != std::string::npos);
 }
 
+TEST_CASE("lines of any length are read, and shown as far as anybody reads") {
+    const std::string most(65'536, 'a');
+    CHECK(explain_compiler("a.cpp:1:1: error: " + most).size() < 3000);
+    CHECK(explain_compiler("a.cpp:1:1: warning: cannot convert '" + most +
+                           "HalfEdge'\n" + most + "\n" + most)
+              .size() < 9000);
+    CHECK(explain_compiler(most) == most);
+}
+
+TEST_CASE("that the compiler was stopped stands before what it said") {
+    const std::string why = "the compiler was stopped after 20 s\n";
+    CHECK(explain_compiler(why + "a.cpp:1:1: warning: unused variable 'v'\n")
+              .rfind(why + "\na.cpp:1:1: warning: unused", 0) == 0);
+    CHECK(explain_compiler(why) == why);
+}
+
 TEST_CASE("what is no message of a compiler is left as it is") {
     const std::string text = "the file does not define int f(int)\n";
     CHECK(explain_compiler(text) == text);

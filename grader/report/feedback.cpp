@@ -1,5 +1,6 @@
 #include "grader/report/feedback.h"
 
+#include "course/report/compiler_messages.h"
 #include "grader/pipeline/mistakes.h"
 
 namespace grader {
@@ -32,7 +33,7 @@ course::ExerciseResult for_student(const course::ExerciseResult& result,
     course::ExerciseResult shown;
     shown.verdict = result.verdict;
     if (result.verdict != course::Verdict::grader_fault)
-        shown.message = result.message;
+        shown.message = course::explain_compiler(result.message);
     for (const CaseResult& one : result.cases)
         shown.cases.push_back(for_student(one, level));
     return shown;

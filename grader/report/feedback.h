@@ -10,7 +10,7 @@ namespace grader {
 /// their meshes, values and walks, what was printed, and below names_and_hints
 /// the hints. The text of a grader fault, which may name anything, is taken
 /// away at every level; compiler messages are about the student's own file and
-/// stay.
+/// stay, cut down as in lab.
 course::ExerciseResult for_student(const course::ExerciseResult& result,
                                    FeedbackLevel level);
 

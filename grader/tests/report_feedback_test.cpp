@@ -75,6 +75,27 @@ TEST_CASE("a shown case keeps everything at every level") {
     }
 }
 
+TEST_CASE("the compiler's words are cut down as in lab, in every file") {
+    ClassResults results = sample_class();
+    StudentResults& student = results.students[1];
+    student.exercises[1]->message =
+        "In file included from SECRET.h:1,\n"
+        "                 from vertex_star.cpp:1:\n"
+        "vertex_star.cpp: In function 'int f()':\n"
+        "vertex_star.cpp:4:9: warning: unused variable 'vi'\n"
+        "    4 |     int vi;\n      |         ^~\n"
+        "/usr/include/SECRET.h:4:9: note: declared here\n";
+    for (const std::string& text :
+         {student_page(results, student).text,
+          gradescope_json(results, student), junit_xml(results, student)}) {
+        CHECK_FALSE(contains(text, "SECRET.h"));
+        CHECK(contains(text, "vertex_star.cpp:4:9: warning: unused variable"));
+        CHECK(contains(text, "The variable is never looked at"));
+    }
+    CHECK_THAT(student_text(results, student, Colour::off),
+               Containing("SECRET.h"));
+}
+
 TEST_CASE("the instructor sees what the grader's fault was") {
     const ClassResults results = sample_class();
     CHECK_THAT(class_page(summary_of(results)).text,

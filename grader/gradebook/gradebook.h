@@ -91,7 +91,7 @@ struct Run {
     bool proposed = false;
     std::string user = {};  ///< who ran it: the name of the account
     std::vector<Suite> suites;
-    std::vector<Student> students;   ///< every one found, in report order
+    std::vector<Student> students;   ///< every one found
     std::vector<std::string> notes;  ///< about the folder as a whole
 
     friend bool operator==(const Run&, const Run&) = default;

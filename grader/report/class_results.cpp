@@ -7,6 +7,7 @@
 #include <map>
 #include <utility>
 
+#include "course/mesh/ascii.h"
 #include "course/report/text.h"
 
 namespace grader {
@@ -31,6 +32,17 @@ bool is_missing(const std::optional<Score>& score) {
     return score && score->verdict == Verdict::not_submitted;
 }
 
+/// By the names that people look for, large and small letters alike.
+void sort_by_name(std::vector<Student>& students) {
+    const auto place = [](const Student& one) {
+        return std::pair(course::ascii_lower(shown_name(one)), one.id);
+    };
+    std::sort(students.begin(), students.end(),
+              [&](const Student& a, const Student& b) {
+                  return place(a) < place(b);
+              });
+}
+
 }  // namespace
 
 GradedAssignment graded_assignment(const Gradebook& gradebook,
@@ -38,6 +50,7 @@ GradedAssignment graded_assignment(const Gradebook& gradebook,
     GradedAssignment graded;
     graded.assignment = assignment;
     graded.run = gradebook.last_run().value_or(Run());
+    sort_by_name(graded.run.students);
     graded.mistakes = gradebook.mistakes();
     for (const Assignment::Item& item : assignment.exercises)
         graded.exercises.push_back({item.exercise, item.weight,

@@ -30,7 +30,8 @@ struct GradedAssignment {
     std::vector<KnownMistake> mistakes = {};
 };
 
-/// The assignment as the newest run graded it. Throws GradebookError.
+/// The assignment as the newest run graded it; students in the order of their
+/// shown names, and of their ids. Throws GradebookError.
 GradedAssignment graded_assignment(const Gradebook& gradebook,
                                    const Assignment& assignment);
 
@@ -148,7 +149,7 @@ std::string_view mark(course::Verdict verdict);
 
 /// The whole class in memory: for tests, which have small ones.
 struct ClassResults : GradedAssignment {
-    std::vector<StudentResults> students;  ///< in the order of the run
+    std::vector<StudentResults> students;  ///< in the order of run.students
 };
 
 ClassResults class_results(const Gradebook& gradebook,

@@ -1,6 +1,8 @@
 // From the gradebook to the numbers of a class.
 #include "grader/report/class_results.h"
 
+#include <array>
+
 #include "course/runner/codec.h"
 #include "course/runner/temporary_folder.h"
 #include "grader/report/class_page.h"
@@ -37,14 +39,37 @@ TEST_CASE("a class from the gradebook gives the reports of the class itself") {
     record(book, sample);
     const ClassSummary read =
         write_reports(book, sample.assignment, folder / "out");
-    CHECK((class_page(read).text == class_page(summary_of(sample)).text));
-    CHECK((grades_csv(read) == grades_csv(summary_of(sample))));
-    for (std::size_t k = 0; k < sample.students.size(); ++k) {
-        const StudentResults student =
-            student_results(book, read, read.run.students[k]);
-        CHECK((student_page(read, student).text ==
-               student_page(sample, sample.students[k]).text));
+    const ClassResults sorted = class_results(book, sample.assignment);
+    REQUIRE(sorted.students.size() == sample.students.size());
+    CHECK((class_page(read).text == class_page(summary_of(sorted)).text));
+    CHECK((grades_csv(read) == grades_csv(summary_of(sorted))));
+    for (const StudentResults& student : sample.students)
+        CHECK((student_page(read, student_results(book, read, student.student))
+                   .text == student_page(sample, student).text));
+}
+
+TEST_CASE("students stand in the order of the names that are shown") {
+    const course::TemporaryFolder folder;
+    Gradebook book(folder / "g.sqlite");
+    Run run = sample_run();
+    run.students.clear();
+    for (const auto& [id, name, person] :
+         std::vector<std::array<std::string, 3>>{{"Zoe", "Zoe", ""},
+                                                 {"a", "a", "Mia Rossi"},
+                                                 {"anna", "anna", ""},
+                                                 {"b2", "b", "mia rossi"},
+                                                 {"b1", "b", "Mia rossi"},
+                                                 {"cmd", "=cmd", ""},
+                                                 {"Bea", "Bea", ""}}) {
+        run.students.push_back({id, name, {}});
+        run.students.back().person = person;
     }
+    book.begin_run(run);
+    std::string order;
+    for (const Student& one :
+         graded_assignment(book, sample_assignment()).run.students)
+        order += one.id + " ";
+    CHECK(order == "cmd anna Bea a b1 b2 Zoe ");
 }
 
 TEST_CASE("an exercise without a result is not judged, and has no total") {

@@ -1,13 +1,13 @@
 // What people and other systems read, compared with copies that were looked
 // at.
-#include <algorithm>
-
+#include "course/runner/temporary_folder.h"
 #include "grader/report/class_page.h"
 #include "grader/report/grades_csv.h"
 #include "grader/report/gradescope.h"
 #include "grader/report/junit.h"
 #include "grader/report/student_page.h"
 #include "grader/report/terminal.h"
+#include "grader/report/write_reports.h"
 #include "grader/tests/golden.h"
 #include "grader/tests/sample_results.h"
 
@@ -15,7 +15,11 @@ using namespace grader;
 using namespace grader::tests;
 
 TEST_CASE("the class's reports are as in the golden files") {
-    const ClassSummary results = summary_of(sample_class());
+    const course::TemporaryFolder folder;
+    Gradebook book(folder / "g.sqlite");
+    record(book, sample_class());
+    const ClassSummary results =
+        write_reports(book, sample_assignment(), folder / "out");
     check_golden("grades.csv", grades_csv(results));
     check_golden("report.html", class_page(results).text);
     check_golden("class_table.txt", class_table(results, Colour::off));

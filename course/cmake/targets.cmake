@@ -202,6 +202,7 @@ function(course_entry kind folder name)
     set(entry $<TARGET_OBJECTS:${target}>)
     set(file ${CMAKE_BINARY_DIR}/student/${folder}/${name}.o)
     set(make_file ${CMAKE_COMMAND} -E copy ${entry} ${file})
+    set(before "")  # the caller's is not ours
     if(ARG_REFERENCES)
         set(references ${target}_references)
         add_library(${references} OBJECT EXCLUDE_FROM_ALL ${ARG_REFERENCES})

@@ -110,7 +110,7 @@ void Client::set_current(Client* client) {
 }
 
 void Client::begin_case() {
-    poisoned_ = false;
+    poisoned_ = is_trial_ = took_long_ = false;
     last_call_ = {};
     answered_.reset();
     output_.reset();
@@ -240,7 +240,8 @@ void Client::add_table(Request& request, const HalfEdgeTable& table) {
 Clock::time_point Client::deadline() const {
     // Honest calls take microseconds, and asking ahead may fail.
     constexpr int many_ms = 500;
-    int most = timeouts_ == 0 ? limits_.call_ms : limits_.later_call_ms;
+    int most =
+        timeouts_ == 0 && !is_trial_ ? limits_.call_ms : limits_.later_call_ms;
     if (asking_ahead_) most = std::min(most, many_ms);
     return std::min(case_end_, Clock::now() + std::chrono::milliseconds(most));
 }
@@ -364,6 +365,19 @@ void Client::walk_again() {
     } catch (const std::exception&) {
     }
     on_failure = tell;
+}
+
+bool Client::try_again() {
+    is_trial_ = true;
+    if (took_long_ || for_good_) return false;
+    try {
+        if (poisoned_) end_case();
+    } catch (const SystemError& error) {
+        for_good_ = {Verdict::grader_fault, error.what()};
+        return false;
+    }
+    poisoned_ = false;
+    return true;
 }
 
 std::string Client::ask(CallStatus kind, const Request& request) {
@@ -494,6 +508,7 @@ std::string Client::printed() const {
 void Client::fail(Verdict verdict, const std::string& why) {
     if (asking_ahead_) throw AskedInVain{};
     poisoned_ = true;
+    if (verdict == Verdict::memory_limit_exceeded) took_long_ = true;
     // A hostile worker may give an empty one.
     if (on_failure) on_failure(verdict, why.empty() ? "no reason given" : why);
     throw WorkerFailed{};
@@ -506,7 +521,8 @@ void Client::malformed(const std::string& why) {
 
 void Client::ran_out_of_time(const std::string& why) {
     if (asking_ahead_) throw AskedInVain{};
-    if (++timeouts_ >= limits_.max_timeouts)
+    took_long_ = true;
+    if (!is_trial_ && ++timeouts_ >= limits_.max_timeouts)
         for_good_ = {Verdict::time_limit_exceeded,
                      fmt::format("not run: the program ran out of time in {} "
                                  "cases before",
@@ -551,7 +567,8 @@ void Client::worker_is_gone() {
         (signal == SIGKILL &&
          event.cpu_us >=
              std::int64_t{1'000'000} * limits_.cpu_seconds - 100'000)) {
-        was_endless_ = one_by_one_ = true;
+        one_by_one_ = true;
+        if (!is_trial_) was_endless_ = true;
         ran_out_of_time("no answer");
     }
     if (signal == SIGKILL)

@@ -106,6 +106,12 @@ public:
     /// walk, which the message of a failed check shows.
     void walk_again();
 
+    /// The case has failed, and what it asked is now tried on smaller meshes: a
+    /// fresh worker, if the last one failed. False when the last failure took
+    /// long, so that the like of it would. Until the case ends, running out of
+    /// time is quick, and nothing that later cases are told of.
+    bool try_again();
+
     /// What the submission printed in this case, at most 2 KiB, as it came.
     std::string printed() const;
 
@@ -170,7 +176,9 @@ private:
     std::optional<std::pair<Verdict, std::string>>
         for_good_;  ///< no more calls
     std::optional<Crash> crash_;
-    bool poisoned_ = false;  ///< the case has failed; no more calls in it
+    bool poisoned_ = false;   ///< the case has failed; no more calls in it
+    bool is_trial_ = false;   ///< calls now come after the failure of the case
+    bool took_long_ = false;  ///< some call ran out of time or memory
     int timeouts_ = 0;
     bool loaded_ = false;  ///< some worker has loaded the submission
     Clock::time_point case_end_;

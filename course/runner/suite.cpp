@@ -199,9 +199,8 @@ std::vector<Fixture> generated_fixtures() {
         options.parts = 1 + static_cast<int>(k) / 2;
         options.surface = surfaces[k % 3];
         const IndexedMesh mesh = random_polygons(seed() * 100 + k, options);
-        Fixture fixture{"generated mesh " + std::to_string(k), mesh,
-                        build(mesh)};
-        all.push_back(renumbered(fixture, k));
+        all.push_back(renumbered({"", mesh, build(mesh)}, k));
+        all.back().name = "generated mesh " + std::to_string(k);
     }
     return all;
 }

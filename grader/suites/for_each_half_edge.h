@@ -4,9 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "course/runner/suite.h"
+#include "course/runner/for_each_half_edge.h"
 #include "grader/suites/meshes.h"
-#include "grader/suites/oracle.h"
 
 namespace course::hidden {
 
@@ -15,10 +14,7 @@ template <class Check>
 void for_each_half_edge(const std::vector<Fixture>& fixtures, Check check) {
     for (const Fixture& fixture : fixtures) {
         const OnMesh on(fixture);
-        const oracle::ByFaces expected(fixture);
-        const AskAhead ahead(fixture.he, all_half_edges(fixture.he));
-        for (int i = 0; i < fixture.he.size(); ++i)
-            check(fixture.he, i, expected);
+        course::for_each_half_edge(fixture, check);
     }
 }
 

@@ -4,10 +4,10 @@
 
 #include <algorithm>
 
+#include "course/runner/by_faces.h"
 #include "course/runner/suite.h"
 #include "grader/suites/05_structures/winged_meshes.h"
 #include "grader/suites/meshes.h"
-#include "grader/suites/oracle.h"
 
 using namespace course;
 using oracle::ByFaces;

@@ -9,12 +9,12 @@
 
 #include "course/halfedge/build.h"
 #include "course/mesh/generators.h"
+#include "course/runner/by_faces.h"
 #include "course/runner/geometry.h"
 #include "course/runner/suite.h"
 #include "grader/suites/06_geometry/normals_meshes.h"
 #include "grader/suites/06_geometry/normals_oracle.h"
 #include "grader/suites/meshes.h"
-#include "grader/suites/oracle.h"
 
 using namespace course;
 

@@ -1,10 +1,9 @@
 // Brute force over the face list.
-#include "grader/suites/oracle.h"
+#include "course/runner/by_faces.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <set>
 #include <stdexcept>
 
@@ -23,22 +22,6 @@ int wrapped(int k, FaceList::Face face) {
 /// Corner k of a face, counted on beyond its end.
 int vertex(FaceList::Face face, int k) {
     return face[at(wrapped(k, face))];
-}
-
-/// Each edge once, as its two ends, the smaller first: those of the faces and
-/// the loose ones.
-std::vector<std::array<int, 2>> edges_of(const IndexedMesh& mesh) {
-    std::vector<std::array<int, 2>> edges;
-    const auto add = [&](int a, int b) {
-        edges.push_back({std::min(a, b), std::max(a, b)});
-    };
-    for (const FaceList::Face face : mesh.faces)
-        for (int k = 0; k < static_cast<int>(face.size()); ++k)
-            add(vertex(face, k), vertex(face, k + 1));
-    for (const auto& [a, b] : mesh.loose_edges) add(a, b);
-    std::ranges::sort(edges);
-    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
-    return edges;
 }
 
 }  // namespace
@@ -206,13 +189,13 @@ int ByFaces::vertex_degree(int i) const {
 }
 
 std::map<int, int> ByFaces::valences() const {
-    std::vector<int> valence(fixture_.mesh.positions.size(), 0);
-    for (const auto& [a, b] : edges_of(fixture_.mesh)) {
-        ++valence[at(a)];
-        ++valence[at(b)];
-    }
     std::map<int, int> histogram;
-    for (const int n : valence) ++histogram[n];
+    for (const std::vector<Corner>& corners : corners_) {
+        std::set<int> neighbours;
+        for (const Corner& corner : corners)
+            neighbours.insert({corner.before, corner.after});
+        ++histogram[static_cast<int>(neighbours.size())];
+    }
     return histogram;
 }
 

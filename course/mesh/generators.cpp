@@ -342,11 +342,13 @@ IndexedMesh random_closed(int faces, Random& random) {
 }
 
 Reworked random_part(int faces, const RandomMesh& options, Random& random) {
+    const bool flat = options.surface == Surface::plane;
     const bool open =
-        options.surface == Surface::open ||
+        flat || options.surface == Surface::open ||
         (options.surface == Surface::mixed && random.below(2) == 0);
-    Reworked part(open && random.below(2) == 0 ? random_plane(faces, random)
-                                               : random_closed(faces, random),
+    Reworked part(open && (flat || random.below(2) == 0)
+                      ? random_plane(faces, random)
+                      : random_closed(faces, random),
                   random);
     part.merge_faces(options.merge_percent, options.max_sides);
     if (open)

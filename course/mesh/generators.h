@@ -31,7 +31,12 @@ IndexedMesh torus(int nu, int nv, Cells cells = Cells::quads);
 IndexedMesh grid(int nx, int ny, Cells cells = Cells::quads);
 
 /// Whether each part of a random mesh has a border.
-enum class Surface { open, closed, mixed };
+enum class Surface {
+    open,    ///< it has
+    closed,  ///< it has none
+    mixed,   ///< it has or not
+    plane,   ///< it has, and all of it lies in one plane
+};
 
 /// Whether holes may touch each other and the border at a single vertex.
 enum class BowTies { none, allowed };

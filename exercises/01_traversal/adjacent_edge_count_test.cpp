@@ -1,6 +1,6 @@
 #include "exercises/01_traversal/adjacent_edge_count.h"
 
-#include "course/runner/suite.h"
+#include "course/runner/for_each_half_edge.h"
 
 using namespace course;
 
@@ -21,4 +21,12 @@ TEST_CASE("a half-edge on the border has no face, so no side to count",
     const OnMesh on(slide);
     CHECK(adjacent_edge_count(slide.he, 0) == 0);
     CHECK(adjacent_edge_count(slide.he, 7) == 0);
+}
+
+TEST_CASE("sides with a neighbour, on generated meshes", "[points:1]") {
+    hint("How many sides may a face have, and how many of them a neighbour?");
+    for_each_generated_half_edge([](const HalfEdgeTable& he, int i,
+                                    const oracle::ByFaces& expected) {
+        REQUIRE(adjacent_edge_count(he, i) == expected.adjacent_edge_count(i));
+    });
 }

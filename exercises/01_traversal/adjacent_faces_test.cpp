@@ -1,6 +1,6 @@
 #include "exercises/01_traversal/adjacent_faces.h"
 
-#include "course/runner/suite.h"
+#include "course/runner/for_each_half_edge.h"
 
 using namespace course;
 
@@ -21,4 +21,13 @@ TEST_CASE("a half-edge on the border has no face, so no neighbours",
     const OnMesh on(slide);
     CHECK(adjacent_faces(slide.he, 0).empty());
     CHECK(adjacent_faces(slide.he, 7).empty());
+}
+
+TEST_CASE("the neighbours of faces, on generated meshes", "[points:1]") {
+    hint("Two faces may share several edges. How often are they neighbours?");
+    for_each_generated_half_edge(
+        [](const HalfEdgeTable& he, int i, const oracle::ByFaces& expected) {
+            REQUIRE_THAT(adjacent_faces(he, i),
+                         IsPermutationOf(expected.adjacent_faces(i)));
+        });
 }

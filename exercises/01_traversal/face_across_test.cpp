@@ -1,6 +1,6 @@
 #include "exercises/01_traversal/face_across.h"
 
-#include "course/runner/suite.h"
+#include "course/runner/for_each_half_edge.h"
 
 using namespace course;
 
@@ -23,4 +23,12 @@ TEST_CASE("edges of the slide mesh on the border, from either side",
     CHECK(face_across(slide.he, 15) == std::nullopt);
     CHECK(face_across(slide.he, 0) == 0);
     CHECK(face_across(slide.he, 7) == 1);
+}
+
+TEST_CASE("the faces across edges, on generated meshes", "[points:1]") {
+    hint("Which of your steps relies on how the table is numbered?");
+    for_each_generated_half_edge(
+        [](const HalfEdgeTable& he, int i, const oracle::ByFaces& expected) {
+            REQUIRE(face_across(he, i) == expected.face_across(i));
+        });
 }

@@ -21,8 +21,8 @@ TEST_CASE("a half-edge on the border has no face to count", "[points:1]") {
     CHECK(face_sides(slide.he, 7) == 0);
 }
 
-TEST_CASE("faces of meshes that nobody has drawn", "[points:1]") {
-    hint("Does your walk rely on a number that only the slide mesh has?");
+TEST_CASE("the sides of faces, on generated meshes", "[points:1]") {
+    hint("Is there a number in your code that no mesh has promised?");
     for_each_generated_half_edge(
         [](const HalfEdgeTable& he, int i, const oracle::ByFaces& expected) {
             REQUIRE(face_sides(he, i) == expected.face_sides(i));

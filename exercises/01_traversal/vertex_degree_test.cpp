@@ -1,6 +1,6 @@
 #include "exercises/01_traversal/vertex_degree.h"
 
-#include "course/runner/suite.h"
+#include "course/runner/for_each_half_edge.h"
 
 using namespace course;
 
@@ -25,4 +25,14 @@ TEST_CASE("border and loose edges count, from wherever you start",
     const Fixture dangling = zoo::dangling();
     const OnMesh on_dangling(dangling);
     CHECK(vertex_degree(dangling.he, 7) == 3);
+}
+
+TEST_CASE("the edges at vertices, on generated meshes", "[points:1]") {
+    hint(
+        "How many edges may meet at a vertex, and how do you know the last "
+        "one?");
+    for_each_generated_half_edge(
+        [](const HalfEdgeTable& he, int i, const oracle::ByFaces& expected) {
+            REQUIRE(vertex_degree(he, i) == expected.vertex_degree(i));
+        });
 }

@@ -1,6 +1,6 @@
 #include "exercises/01_traversal/vertex_faces.h"
 
-#include "course/runner/suite.h"
+#include "course/runner/for_each_half_edge.h"
 
 using namespace course;
 
@@ -23,4 +23,12 @@ TEST_CASE("the gap at the border is no face", "[points:1]") {
     const Fixture dangling = zoo::dangling();
     const OnMesh on_dangling(dangling);
     CHECK_THAT(vertex_faces(dangling.he, 7), IsRotationOf({1}));
+}
+
+TEST_CASE("the faces at vertices, on generated meshes", "[points:1]") {
+    hint("A vertex may have faces all round. When has the walk come back?");
+    for_each_generated_half_edge([](const HalfEdgeTable& he, int i,
+                                    const oracle::ByFaces& expected) {
+        REQUIRE_THAT(vertex_faces(he, i), IsRotationOf(expected.faces_met(i)));
+    });
 }

@@ -1,5 +1,6 @@
 #include "exercises/02_border/boundary_loops.h"
 
+#include "course/runner/border_by_faces.h"
 #include "course/runner/suite.h"
 
 using namespace course;
@@ -26,4 +27,14 @@ TEST_CASE("a cube has no border", "[points:1]") {
     const Fixture cube = zoo::cube();
     const OnMesh on(cube);
     CHECK(boundary_loops(cube.he).empty());
+}
+
+TEST_CASE("all border loops, on generated meshes", "[points:1]") {
+    hint(
+        "Does every half-edge without a face stand in exactly one of your "
+        "loops?");
+    on_generated_meshes(generated_fixtures(), [](const Fixture& mesh) {
+        REQUIRE_THAT(boundary_loops(mesh.he),
+                     AreLoops(oracle::Border(mesh).loops()));
+    });
 }

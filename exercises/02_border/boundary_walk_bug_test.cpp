@@ -1,5 +1,6 @@
 #include "exercises/02_border/boundary_walk_bug.h"
 
+#include "course/runner/border_by_faces.h"
 #include "course/runner/suite.h"
 
 using namespace course;
@@ -33,4 +34,15 @@ TEST_CASE("only edges on the border have a border to walk", "[points:1]") {
     CHECK(boundary_walk_bug(dangling.he, 3) == std::vector<int>{});
     CHECK(boundary_walk_bug(dangling.he, 11) == std::vector<int>{});
     CHECK(boundary_walk_bug(dangling.he, 16).size() == 8);
+}
+
+TEST_CASE("the same walks, on generated meshes", "[points:1]") {
+    hint("What value has each variable when the loop begins anew?");
+    on_generated_meshes(generated_fixtures(), [](const Fixture& mesh) {
+        const oracle::Border border(mesh);
+        const AskAhead ahead(mesh.he, all_half_edges(mesh.he));
+        for (int i = 0; i < mesh.he.size(); ++i)
+            REQUIRE_THAT(boundary_walk_bug(mesh.he, i),
+                         IsRotationOf(border.walk(i)));
+    });
 }

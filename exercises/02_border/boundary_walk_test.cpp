@@ -1,5 +1,6 @@
 #include "exercises/02_border/boundary_walk.h"
 
+#include "course/runner/border_by_faces.h"
 #include "course/runner/suite.h"
 
 using namespace course;
@@ -31,4 +32,15 @@ TEST_CASE("only edges on the border have a border to walk", "[points:1]") {
     CHECK(boundary_walk(dangling.he, 3) == std::vector<int>{});
     CHECK(boundary_walk(dangling.he, 11) == std::vector<int>{});
     CHECK(boundary_walk(dangling.he, 16).size() == 8);
+}
+
+TEST_CASE("border walks, on generated meshes", "[points:1]") {
+    hint("A mesh may have several loops. How do you come to the right one?");
+    on_generated_meshes(generated_fixtures(), [](const Fixture& mesh) {
+        const oracle::Border border(mesh);
+        const AskAhead ahead(mesh.he, all_half_edges(mesh.he));
+        for (int i = 0; i < mesh.he.size(); ++i)
+            REQUIRE_THAT(boundary_walk(mesh.he, i),
+                         IsRotationOf(border.walk(i)));
+    });
 }

@@ -1,6 +1,6 @@
 #include "exercises/02_border/edge_kind.h"
 
-#include "course/runner/suite.h"
+#include "course/runner/for_each_half_edge.h"
 
 using namespace course;
 
@@ -28,4 +28,15 @@ TEST_CASE("edge 4-6 hangs on the slide mesh without a face", "[points:1]") {
     CHECK(edge_kind(dangling.he, 17) == EdgeKind::dangling);
     CHECK(edge_kind(dangling.he, 6) == EdgeKind::border);
     CHECK(edge_kind(dangling.he, 12) == EdgeKind::border);
+}
+
+TEST_CASE("kinds of edges, on generated meshes", "[points:1]") {
+    hint("Which of your steps relies on how the table is numbered?");
+    for_each_generated_half_edge(
+        [](const HalfEdgeTable& he, int i, const oracle::ByFaces& expected) {
+            const bool here = expected.face(i) != -1;
+            const bool there = expected.face_across(i).has_value();
+            REQUIRE(edge_kind(he, i) ==
+                    (here && there ? EdgeKind::interior : EdgeKind::border));
+        });
 }

@@ -1,6 +1,6 @@
 #include "exercises/02_border/is_border_vertex.h"
 
-#include "course/runner/suite.h"
+#include "course/runner/for_each_half_edge.h"
 
 using namespace course;
 
@@ -23,4 +23,15 @@ TEST_CASE("vertex 0 of a fan of six lies inside, the others do not",
         const int vertex = fan.he.rows()[static_cast<std::size_t>(i)].vi;
         CHECK(is_border_vertex(fan.he, i) == (vertex != 0));
     }
+}
+
+TEST_CASE("vertices of generated meshes, inside and on the border",
+          "[points:1]") {
+    hint("The border may be anywhere round the vertex. When did you stop?");
+    for_each_generated_half_edge([](const HalfEdgeTable& he, int i,
+                                    const oracle::ByFaces& expected) {
+        const auto edges = static_cast<std::size_t>(expected.vertex_degree(i));
+        REQUIRE(is_border_vertex(he, i) ==
+                (expected.faces_met(i).size() < edges));
+    });
 }

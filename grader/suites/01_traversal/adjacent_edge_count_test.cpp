@@ -60,12 +60,10 @@ TEST_CASE("the numbers of half-edges, faces and vertices mean nothing",
 
 TEST_CASE("generated meshes", "[points:1]") {
     hint("Is there a number in your code that no mesh has promised?");
-    hidden::for_each_half_edge(
-        generated_fixtures(),
-        [](const HalfEdgeTable& he, int i, const ByFaces& expected) {
-            REQUIRE(adjacent_edge_count(he, i) ==
-                    expected.adjacent_edge_count(i));
-        });
+    for_each_generated_half_edge([](const HalfEdgeTable& he, int i,
+                                    const ByFaces& expected) {
+        REQUIRE(adjacent_edge_count(he, i) == expected.adjacent_edge_count(i));
+    });
 }
 
 TEST_CASE("the cost does not grow with the mesh", "[points:1][large]") {

@@ -54,8 +54,7 @@ TEST_CASE("the numbers of half-edges, faces and vertices mean nothing",
 
 TEST_CASE("generated meshes", "[points:1]") {
     hint("Is there a number in your code that no mesh has promised?");
-    hidden::for_each_half_edge(
-        generated_fixtures(),
+    for_each_generated_half_edge(
         [](const HalfEdgeTable& he, int i, const ByFaces& expected) {
             REQUIRE(face_sides(he, i) == expected.face_sides(i));
         });

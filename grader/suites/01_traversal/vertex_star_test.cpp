@@ -64,12 +64,10 @@ TEST_CASE("the numbers of half-edges, faces and vertices mean nothing",
 
 TEST_CASE("generated meshes", "[points:1]") {
     hint("Is there a number in your code that no mesh has promised?");
-    hidden::for_each_half_edge(
-        generated_fixtures(),
-        [](const HalfEdgeTable& he, int i, const ByFaces& expected) {
-            REQUIRE_THAT(vertex_star(he, i),
-                         IsRotationOf(expected.vertex_star(i)));
-        });
+    for_each_generated_half_edge([](const HalfEdgeTable& he, int i,
+                                    const ByFaces& expected) {
+        REQUIRE_THAT(vertex_star(he, i), IsRotationOf(expected.vertex_star(i)));
+    });
 }
 
 TEST_CASE("the cost does not grow with the mesh", "[points:1][large]") {

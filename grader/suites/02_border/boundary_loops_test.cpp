@@ -80,8 +80,7 @@ TEST_CASE("numbers of half-edges and faces mean nothing", "[points:1]") {
 
 TEST_CASE("generated meshes", "[points:1]") {
     hint("Does every half-edge without a face stand in exactly one loop?");
-    for (const Fixture& fixture : hidden::generated_borders())
-        check_loops(fixture);
+    on_generated_meshes(hidden::generated_borders(), check_loops);
 }
 
 TEST_CASE("the cost grows with the table, not with its square", "[points:1]") {

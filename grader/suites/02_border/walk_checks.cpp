@@ -24,8 +24,8 @@ void from_the_border(Walk boundary_walk, const Fixture& fixture) {
     const AskAhead ahead(fixture.he, oracle::sample(fixture.he));
     for (const int i : oracle::sample(fixture.he))
         if (border.has(i))
-            CHECK_THAT(boundary_walk(fixture.he, i),
-                       IsRotationOf(border.walk(i)));
+            REQUIRE_THAT(boundary_walk(fixture.he, i),
+                         IsRotationOf(border.walk(i)));
 }
 
 void from_beside_the_border(Walk boundary_walk, const Fixture& fixture) {
@@ -34,8 +34,8 @@ void from_beside_the_border(Walk boundary_walk, const Fixture& fixture) {
     const AskAhead ahead(fixture.he, oracle::sample(fixture.he));
     for (const int i : oracle::sample(fixture.he))
         if (!border.has(i) && border.faces_at(i) == 1)
-            CHECK_THAT(boundary_walk(fixture.he, i),
-                       IsRotationOf(border.walk(i)));
+            REQUIRE_THAT(boundary_walk(fixture.he, i),
+                         IsRotationOf(border.walk(i)));
 }
 
 void from_within(Walk boundary_walk, const Fixture& fixture) {
@@ -44,7 +44,7 @@ void from_within(Walk boundary_walk, const Fixture& fixture) {
     const AskAhead ahead(fixture.he, oracle::sample(fixture.he));
     for (const int i : oracle::sample(fixture.he))
         if (border.faces_at(i) == 2)
-            CHECK(boundary_walk(fixture.he, i) == std::vector<int>{});
+            REQUIRE(boundary_walk(fixture.he, i) == std::vector<int>{});
 }
 
 void from_everywhere(Walk boundary_walk, const Fixture& fixture) {

@@ -1,6 +1,6 @@
 #include "exercises/00_table/edge_vertices.h"
 
-#include "course/runner/suite.h"
+#include "course/runner/for_each_half_edge.h"
 
 using namespace course;
 
@@ -23,4 +23,14 @@ TEST_CASE("a half-edge on the border has two ends as well", "[points:1]") {
     const OnMesh on(slide);
     CHECK(edge_vertices(slide.he, 0) == Ends{2, 0});
     CHECK(edge_vertices(slide.he, 7) == Ends{4, 5});
+}
+
+TEST_CASE("the ends of the sides of faces, on generated meshes", "[points:1]") {
+    hint("Which of your steps relies on how the table is numbered?");
+    for_each_generated_half_edge(
+        [](const HalfEdgeTable& he, int i, const oracle::ByFaces& expected) {
+            const std::vector<int> corners = expected.face_vertices(i);
+            if (!corners.empty())
+                REQUIRE(edge_vertices(he, i) == Ends{corners[0], corners[1]});
+        });
 }

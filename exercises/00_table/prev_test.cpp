@@ -1,8 +1,20 @@
 #include "exercises/00_table/prev.h"
 
-#include "course/runner/suite.h"
+#include <algorithm>
+
+#include "course/runner/for_each_half_edge.h"
 
 using namespace course;
+
+namespace {
+
+/// The corners of a face, begun at the last of them.
+std::vector<int> last_first(std::vector<int> corners) {
+    std::rotate(corners.begin(), corners.end() - 1, corners.end());
+    return corners;
+}
+
+}  // namespace
 
 TEST_CASE("in a triangle, the half-edge before is two steps ahead",
           "[points:1]") {
@@ -28,4 +40,16 @@ TEST_CASE("the half-edge before a border half-edge is on the border",
     const OnMesh on(slide);
     CHECK(::prev(slide.he, 0) == 13);
     CHECK(::prev(slide.he, 7) == 6);
+}
+
+TEST_CASE("what comes before the sides of faces, on generated meshes",
+          "[points:1]") {
+    hint("How many sides may a face have, and does your walk come back?");
+    for_each_generated_half_edge(
+        [](const HalfEdgeTable& he, int i, const oracle::ByFaces& expected) {
+            const std::vector<int> corners = expected.face_vertices(i);
+            for (int side = 0; side < he.size() && !corners.empty(); ++side)
+                if (expected.face_vertices(side) == last_first(corners))
+                    REQUIRE(::prev(he, i) == side);
+        });
 }

@@ -72,3 +72,10 @@ TEST_CASE("one wrong cell may break several rules", "[points:1]") {
                                                 {Fault::next_not_at_tip, 12}}));
     }
 }
+
+TEST_CASE("the tables of generated meshes keep all rules", "[points:1]") {
+    hint("Do you find a fault in a table that has none? Read that rule again.");
+    on_generated_meshes(generated_fixtures(), [](const Fixture& mesh) {
+        REQUIRE_THAT(::validate(mesh.he), AreFindings({}));
+    });
+}

@@ -72,6 +72,36 @@ TEST_CASE("what is needed is left, and nothing else") {
     }
 }
 
+TEST_CASE("faces are left out where each vertex is needed") {
+    const IndexedMesh least = smallest_failing(
+        zoo::tetra().mesh,
+        [](const IndexedMesh& part) { return part.vertex_count() == 4; },
+        plenty);
+    CHECK(least.faces.size() == 2);
+}
+
+TEST_CASE("a face that is needed may not be needed when others are smaller") {
+    const IndexedMesh least = smallest_failing(
+        grid(2, 1),
+        [](const IndexedMesh& part) {
+            return part.faces.size() == 2 || part.vertex_count() == 3;
+        },
+        plenty);
+    CHECK(least.faces.size() == 1);
+}
+
+TEST_CASE("many faces are left out at a time") {
+    const IndexedMesh mesh = torus(60, 60);
+    int asked = 0;
+    const auto is_there = [&](const IndexedMesh& part) {
+        ++asked;
+        return std::ranges::find(part.positions, mesh.positions[1234]) !=
+               part.positions.end();
+    };
+    CHECK(smallest_failing(mesh, is_there, plenty).faces.size() == 1);
+    CHECK(asked < 60);
+}
+
 TEST_CASE("a mesh is asked about only if it has a table, a face, no bow-tie") {
     for (std::uint64_t seed = 1; seed <= 8; ++seed) {
         int asked = 0;

@@ -110,7 +110,7 @@ void Client::set_current(Client* client) {
 }
 
 void Client::begin_case() {
-    poisoned_ = is_trial_ = took_long_ = false;
+    poisoned_ = is_trial_ = not_again_ = false;
     last_call_ = {};
     answered_.reset();
     output_.reset();
@@ -369,7 +369,7 @@ void Client::walk_again() {
 
 bool Client::try_again() {
     is_trial_ = true;
-    if (took_long_ || for_good_) return false;
+    if (not_again_ || for_good_) return false;
     try {
         if (poisoned_) end_case();
     } catch (const SystemError& error) {
@@ -508,7 +508,8 @@ std::string Client::printed() const {
 void Client::fail(Verdict verdict, const std::string& why) {
     if (asking_ahead_) throw AskedInVain{};
     poisoned_ = true;
-    if (verdict == Verdict::memory_limit_exceeded) took_long_ = true;
+    not_again_ = not_again_ || verdict == Verdict::memory_limit_exceeded ||
+                 verdict == Verdict::forbidden_operation;
     // A hostile worker may give an empty one.
     if (on_failure) on_failure(verdict, why.empty() ? "no reason given" : why);
     throw WorkerFailed{};
@@ -521,7 +522,7 @@ void Client::malformed(const std::string& why) {
 
 void Client::ran_out_of_time(const std::string& why) {
     if (asking_ahead_) throw AskedInVain{};
-    took_long_ = true;
+    not_again_ = true;
     if (!is_trial_ && ++timeouts_ >= limits_.max_timeouts)
         for_good_ = {Verdict::time_limit_exceeded,
                      fmt::format("not run: the program ran out of time in {} "

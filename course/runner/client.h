@@ -107,9 +107,9 @@ public:
     void walk_again();
 
     /// The case has failed, and what it asked is now tried on smaller meshes: a
-    /// fresh worker, if the last one failed. False when the last failure took
-    /// long, so that the like of it would. Until the case ends, running out of
-    /// time is quick, and nothing that later cases are told of.
+    /// fresh worker, if the last one failed. False when it failed in a way that
+    /// takes long, or is not allowed. Until the case ends, running out of time
+    /// is quick, and has no consequence for later cases.
     bool try_again();
 
     /// What the submission printed in this case, at most 2 KiB, as it came.
@@ -178,7 +178,7 @@ private:
     std::optional<Crash> crash_;
     bool poisoned_ = false;   ///< the case has failed; no more calls in it
     bool is_trial_ = false;   ///< calls now come after the failure of the case
-    bool took_long_ = false;  ///< some call ran out of time or memory
+    bool not_again_ = false;  ///< some call took long, or was not allowed
     int timeouts_ = 0;
     bool loaded_ = false;  ///< some worker has loaded the submission
     Clock::time_point case_end_;

@@ -12,13 +12,12 @@ using namespace course;
 
 namespace {
 
-const std::string border_case = "a half-edge on the border has no face";
-
 const std::string include_contract =
     "#include \"exercises/01_traversal/face_sides.h\"\n";
 
-/// What the public suite accepts, behind these lines at the start of the
-/// function. Right on its one mesh only: students have this file.
+/// What passes the first two cases of the public suite, on the slide mesh, and
+/// not the third, on generated ones: students have this file. Behind these
+/// lines at the start of the function.
 std::string right_after(const std::string& lines) {
     return "int face_sides(const HalfEdgeTable& he, int i) {\n" + lines +
            "\n    const int f = he[i].fi;\n"
@@ -47,7 +46,7 @@ bool contains(const std::string& text, const std::string& part) {
     return text.find(part) != std::string::npos;
 }
 
-/// Both cases fail like this, no point is given, the words are said.
+/// All cases fail like this, no point is given, the words are said.
 void check_fails(const std::string& source, Verdict expected,
                  const std::string& words) {
     const auto start = Clock::now();
@@ -55,13 +54,14 @@ void check_fails(const std::string& source, Verdict expected,
     INFO(text_of(result));
     CHECK(result.verdict == expected);
     CHECK(result.points() == 0);
-    REQUIRE(result.cases.size() == 2);
+    REQUIRE(result.cases.size() == 3);
     for (const CaseResult& c : result.cases) CHECK(c.verdict == expected);
     CHECK(contains(text_of(result), words));
     CHECK(Clock::now() - start < std::chrono::seconds(60));
 }
 
-/// The lines go wrong on the border only: the other case keeps its points.
+/// The lines go wrong on the border only: the case of the faces keeps its
+/// points.
 void check_fails_on_border(const std::string& lines, Verdict expected,
                            const std::string& words) {
     const ExerciseResult result =
@@ -69,10 +69,9 @@ void check_fails_on_border(const std::string& lines, Verdict expected,
     INFO(text_of(result));
     CHECK(result.verdict == expected);
     CHECK(result.points() == 2);
-    for (const CaseResult& c : result.cases)
-        CHECK(c.verdict == (c.info.name.rfind(border_case, 0) == 0
-                                ? expected
-                                : Verdict::accepted));
+    REQUIRE(result.cases.size() == 3);
+    CHECK(result.cases[0].verdict == Verdict::accepted);
+    CHECK(result.cases[1].verdict == expected);
     CHECK(contains(text_of(result), words));
 }
 
@@ -108,18 +107,29 @@ TEST_CASE("the limits of the exercise are those of its submission") {
 }
 
 TEST_CASE("a right submission is accepted with all its points") {
-    const ExerciseResult result = judged(right_after(""));
+    const Exercise exercise = exercise_named("face_sides");
+    if (!has_solutions()) return;
+    LocalWorkplace workplace;
+    const ExerciseResult result = judge_submission(
+        workplace, exercise, exercise.solution(), JudgeKind::lab, {1});
     INFO(text_of(result));
     CHECK(result.verdict == Verdict::accepted);
+    CHECK(result.points() == 4);
+    CHECK(result.max() == 4);
+}
+
+TEST_CASE("what is right on one mesh only gets the points of that mesh") {
+    const ExerciseResult result = judged(right_after(""));
+    INFO(text_of(result));
+    CHECK(result.verdict == Verdict::wrong_answer);
     CHECK(result.points() == 3);
-    CHECK(result.max() == 3);
 }
 
 TEST_CASE("a wrong answer says call, expected and got, and asks a question") {
     const ExerciseResult result =
         judged("int face_sides(const HalfEdgeTable&, int) { return 7; }");
     CHECK(result.verdict == Verdict::wrong_answer);
-    REQUIRE(result.cases.size() == 2);
+    REQUIRE(result.cases.size() == 3);
     const CaseResult& first = result.cases[0];
     REQUIRE_FALSE(first.failures.empty());
     CHECK(first.failures[0].call == "face_sides(he, 1)");
@@ -220,7 +230,7 @@ TEST_CASE("a gigabyte of output is ended and the other case is judged") {
 TEST_CASE("a little output does no harm and is kept") {
     const ExerciseResult result =
         judged("#include <cstdio>\n" + right_after("    std::puts(\"here\");"));
-    CHECK(result.verdict == Verdict::accepted);
+    CHECK(result.points() == 3);
     REQUIRE_FALSE(result.cases.empty());
     CHECK(contains(result.cases[0].printed, "here\n"));
 }
@@ -308,7 +318,7 @@ TEST_CASE("what does not compile shows the compiler's words and line") {
 TEST_CASE("the warnings of a file that compiles are kept") {
     const ExerciseResult result =
         judged(right_after("    { int i = 0; (void)i; }"));
-    CHECK(result.verdict == Verdict::accepted);
+    CHECK(result.points() == 3);
     CHECK(contains(result.message, "shadows a parameter"));
 }
 
@@ -318,7 +328,76 @@ TEST_CASE("a static vector works, and is new in each case") {
                            "    calls.push_back(i);\n"
                            "    if (calls.size() > 3) return -1;"));
     INFO(text_of(result));
-    CHECK(result.verdict == Verdict::accepted);
+    CHECK(result.points() == 3);
+}
+
+namespace {
+
+/// The failures on generated meshes of a function that is right on the slide
+/// mesh; on other tables, which have not 16 rows, the lines come first.
+CaseResult on_other_meshes(const std::string& lines) {
+    const ExerciseResult result = judged(
+        right_after("    if (he.size() != 16) {\n" + lines + "\n    }\n"));
+    INFO(text_of(result));
+    CHECK(result.points() == 3);
+    REQUIRE(result.cases.size() == 3);
+    REQUIRE(result.cases[2].failures.size() == 1);
+    CHECK(contains(result.cases[2].failures[0].note,
+                   "found on generated mesh 0 (seed 1)"));
+    return result.cases[2];
+}
+
+/// The same, and that the failure is shown on a mesh of so many half-edges.
+void check_shrunk(const std::string& lines, Verdict expected, std::size_t rows,
+                  const std::string& words) {
+    const CaseResult result = on_other_meshes(lines);
+    CHECK(result.verdict == expected);
+    const Failure& failure = result.failures[0];
+    INFO(failure.got << "\n" << failure.note);
+    CHECK(contains(failure.got, words));
+    CHECK(contains(failure.note, ", shrunk from "));
+    CHECK(failure.mesh.rows.size() == rows);
+}
+
+/// The same, and that it is shown on the mesh where it was found.
+void check_not_shrunk(const std::string& lines, Verdict expected) {
+    const CaseResult result = on_other_meshes(lines);
+    CHECK(result.verdict == expected);
+    CHECK(result.failures[0].mesh.name == "generated mesh 0");
+    CHECK_FALSE(contains(result.failures[0].note, "shrunk"));
+}
+
+}  // namespace
+
+TEST_CASE("however it fails on a generated mesh, the mesh is made smaller") {
+    check_shrunk("return -1;", Verdict::wrong_answer, 6, "-1");
+    check_shrunk("return he[-1].vi;", Verdict::run_time_error, 6, "line 4");
+    check_shrunk("int* p = nullptr; return *p;", Verdict::run_time_error, 6,
+                 "segmentation fault");
+    check_shrunk("__builtin_exit(0);", Verdict::run_time_error, 6, "exit(0)");
+    check_shrunk("throw 7;", Verdict::run_time_error, 6, "int");
+    check_shrunk("while (true) i = he[i].opp;", Verdict::time_limit_exceeded, 6,
+                 "line 4");
+    check_shrunk("int* p = nullptr; if (he.size() > 30) return *p; return -1;",
+                 Verdict::run_time_error, 32, "segmentation fault");
+}
+
+TEST_CASE("what takes long is shown where it was found, and not tried again") {
+    const auto start = Clock::now();
+    check_not_shrunk("volatile int n = 0; while (true) n = n + 1;",
+                     Verdict::time_limit_exceeded);
+    check_not_shrunk(
+        "std::vector<int> v; while (true) v.reserve(2 * v.capacity() + 1000);",
+        Verdict::memory_limit_exceeded);
+    CHECK(Clock::now() - start < std::chrono::seconds(60));
+}
+
+TEST_CASE("an endless loop on smaller meshes only takes no points of others") {
+    // Each time that it is tried; four that count would end the judging.
+    const CaseResult result = on_other_meshes(
+        "volatile int n = 0; while (he.size() < 20) n = n + 1; return -1;");
+    CHECK(result.verdict == Verdict::wrong_answer);
+    CHECK(contains(result.failures[0].note, "shrunk"));
 }
 
 TEST_CASE("an empty file, and one of any bytes, are compile errors") {

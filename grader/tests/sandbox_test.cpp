@@ -118,7 +118,7 @@ void check_accepted(const std::string& source) {
     const ExerciseResult result = judged(source);
     INFO(text_of(result));
     CHECK(name(result.verdict) == "accepted");
-    CHECK(result.points() == 3);
+    CHECK(result.points() == 4);
 }
 
 /// All cases fail like this.
@@ -128,7 +128,7 @@ void check_fails(const std::string& source, Verdict expected,
     INFO(text_of(result));
     CHECK(name(result.verdict) == name(expected));
     CHECK(result.points() == 0);
-    CHECK(result.cases.size() == 2);
+    CHECK(result.cases.size() == 3);
     CHECK(contains(text_of(result), words));
 }
 
@@ -314,6 +314,20 @@ TEST_CASE("only the channel is open, and no file is behind it") {
         "[] { struct stat s; for (int fd = 4; fd < 128; ++fd)"
         " if (fstat(fd, &s) == 0) return true; return false; }()");
     check_hidden("read(0, &i, 4) > 0");
+}
+
+TEST_CASE("who fails on one mesh and passes on smaller ones has failed") {
+    if (!has_sandbox()) return;
+    const ExerciseResult result =
+        judged(includes + right_after("static bool first = true;\n"
+                                      "if (he.size() != 16 && first) {\n"
+                                      "    first = false;\n    return -1;\n}"));
+    INFO(text_of(result));
+    CHECK(name(result.verdict) == "wrong_answer");
+    CHECK(result.points() == 3);
+    REQUIRE(result.cases.size() == 3);
+    REQUIRE(result.cases[2].failures.size() == 1);
+    CHECK(result.cases[2].failures[0].mesh.name == "generated mesh 0");
 }
 
 TEST_CASE("the environment has nothing but the locale and the folder") {

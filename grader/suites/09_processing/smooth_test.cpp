@@ -117,8 +117,9 @@ TEST_CASE("every mesh, under every numbering", "[points:2]") {
         check_smooth(rough(mesh, 9), 2, 0.5);
     for (const Fixture& mesh : hidden::renumbered_copies())
         check_smooth(rough(mesh, 10), 2, 0.5);
-    for (const Fixture& mesh : generated_fixtures())
+    on_generated_meshes(generated_fixtures(), [](const Fixture& mesh) {
         check_smooth(rough(mesh, 11), 2, 0.5);
+    });
 }
 
 TEST_CASE("w is used as it is", "[points:1]") {

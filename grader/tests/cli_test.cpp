@@ -156,7 +156,7 @@ TEST_CASE("without --json the verdict is in words") {
     const Said said = grader_says({"judge", "face_sides", file.string()});
     CHECK(said.code <= 1);
     CHECK(contains(said.text, "face_sides: "));
-    CHECK(contains(said.text, " of 10 points"));
+    CHECK(contains(said.text, " of 11 points"));
 }
 
 TEST_CASE("judge of a table that is handed in needs no compiler") {
@@ -223,7 +223,7 @@ TEST_CASE("judge works without a sandbox when it is told to") {
         {"judge", "face_sides", file.string(), "--isolation", "none"});
     INFO(said.text);
     CHECK(said.code <= 1);
-    CHECK(contains(said.text, " of 10 points"));
+    CHECK(contains(said.text, " of 11 points"));
 }
 
 TEST_CASE("validate of an exercise that is as it must be ends with 0") {

@@ -1,4 +1,4 @@
-// compile_error or accepted <=10: THREATS 5, a constant expression that takes memory
+// compile_error or accepted <=11: THREATS 5, a constant expression that takes memory
 #include "exercises/01_traversal/face_sides.h"
 
 static int right(const HalfEdgeTable& he, int i) {

@@ -1,4 +1,4 @@
-// time_limit_exceeded 9: THREATS 27, sets back the count of reads and looks through the whole table
+// time_limit_exceeded 10: THREATS 27, sets back the count of reads and looks through the whole table
 #include "exercises/01_traversal/face_sides.h"
 
 int face_sides(const HalfEdgeTable& he, int i) {

@@ -1,4 +1,4 @@
-// wrong_answer or time_limit_exceeded <=9: THREATS 27, changes the table for the calls that follow
+// wrong_answer or time_limit_exceeded <=10: THREATS 27, changes the table for the calls that follow
 #include "exercises/01_traversal/face_sides.h"
 
 static int right(const HalfEdgeTable& he, int i) {

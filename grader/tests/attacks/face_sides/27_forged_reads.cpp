@@ -1,4 +1,4 @@
-// run_time_error or time_limit_exceeded <=9: THREATS 27, takes over the conversation from the first call on: an index of each table, and no reads
+// run_time_error or time_limit_exceeded <=10: THREATS 27, takes over the conversation from the first call on: an index of each table, and no reads
 #include "exercises/01_traversal/face_sides.h"
 #include <link.h>
 #include <unistd.h>

@@ -1,4 +1,4 @@
-// time_limit_exceeded 9: THREATS 27, gives itself reads by a pointer into the table
+// time_limit_exceeded 10: THREATS 27, gives itself reads by a pointer into the table
 #include "exercises/01_traversal/face_sides.h"
 #include <cstdint>
 

@@ -1,4 +1,4 @@
-// wrong_answer <=9: THREATS 27, keeps a pointer to the table of the first call
+// wrong_answer <=10: THREATS 27, keeps a pointer to the table of the first call
 #include "exercises/01_traversal/face_sides.h"
 
 static int right(const HalfEdgeTable& he, int i) {

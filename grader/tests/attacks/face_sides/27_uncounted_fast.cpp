@@ -1,4 +1,4 @@
-// time_limit_exceeded 9: THREATS 27, the same with all that the processor can do
+// time_limit_exceeded 10: THREATS 27, the same with all that the processor can do
 #include "exercises/01_traversal/face_sides.h"
 
 #pragma GCC optimize("O3,unroll-loops")

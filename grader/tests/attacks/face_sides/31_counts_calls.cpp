@@ -1,4 +1,4 @@
-// wrong_answer <=9: THREATS 31, right for the first five calls of a worker, then what was right before
+// wrong_answer <=10: THREATS 31, right for the first five calls of a worker, then what was right before
 #include "exercises/01_traversal/face_sides.h"
 
 static int right(const HalfEdgeTable& he, int i) {

@@ -1,4 +1,4 @@
-// wrong_answer <=9: THREATS 32, right in workers of an even number only: luck if cases were numbered so
+// wrong_answer <=10: THREATS 32, right in workers of an even number only: luck if cases were numbered so
 #include "exercises/01_traversal/face_sides.h"
 #include <unistd.h>
 

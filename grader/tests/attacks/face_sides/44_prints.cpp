@@ -1,4 +1,4 @@
-// accepted or run_time_error <=10: THREATS 44, prints what breaks terminals and pages
+// accepted or run_time_error <=11: THREATS 44, prints what breaks terminals and pages
 #include "exercises/01_traversal/face_sides.h"
 #include <cstdio>
 

@@ -1,4 +1,4 @@
-// run_time_error <=9: THREATS 50, says after right answers that it could not be loaded
+// run_time_error <=10: THREATS 50, says after right answers that it could not be loaded
 #include "exercises/01_traversal/face_sides.h"
 #include <link.h>
 #include <unistd.h>

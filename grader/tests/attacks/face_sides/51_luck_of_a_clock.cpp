@@ -1,4 +1,4 @@
-// wrong_answer <=9: THREATS 51, the last digit of the clock decides each call
+// wrong_answer <=10: THREATS 51, the last digit of the clock decides each call
 #include "exercises/01_traversal/face_sides.h"
 
 static int right(const HalfEdgeTable& he, int i) {

@@ -1,4 +1,4 @@
-// wrong_answer or memory_limit_exceeded or time_limit_exceeded <=9: THREATS 28, right, but for a list of millions where the table allows it
+// wrong_answer or memory_limit_exceeded or time_limit_exceeded <=10: THREATS 28, right, but for a list of millions where the table allows it
 #include "exercises/01_traversal/face_vertices.h"
 
 std::vector<int> face_vertices(const HalfEdgeTable& he, int i) {

@@ -1,4 +1,4 @@
-// wrong_answer or memory_limit_exceeded or time_limit_exceeded <=9: THREATS 28, nearly all the time that there is, then a list that takes the judge long to print
+// wrong_answer or memory_limit_exceeded or time_limit_exceeded <=10: THREATS 28, nearly all the time that there is, then a list that takes the judge long to print
 #include "exercises/01_traversal/face_vertices.h"
 #include <algorithm>
 #include <ctime>

@@ -1,4 +1,4 @@
-// wrong_answer or memory_limit_exceeded or time_limit_exceeded or run_time_error <=9: THREATS 28, a forged map of four million keys
+// wrong_answer or memory_limit_exceeded or time_limit_exceeded or run_time_error <=10: THREATS 28, a forged map of four million keys
 #include "exercises/01_traversal/valences.h"
 #include <link.h>
 #include <unistd.h>

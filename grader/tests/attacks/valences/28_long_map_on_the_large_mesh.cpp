@@ -1,4 +1,4 @@
-// wrong_answer or memory_limit_exceeded or time_limit_exceeded <=9: THREATS 28, a map of millions where the table allows it
+// wrong_answer or memory_limit_exceeded or time_limit_exceeded <=10: THREATS 28, a map of millions where the table allows it
 #include "exercises/01_traversal/valences.h"
 
 std::map<int, int> valences(const HalfEdgeTable& he, int vertex_count) {

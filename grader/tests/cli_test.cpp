@@ -48,7 +48,7 @@ void check_shape(const nlohmann::json& object) {
         points += c.at("points").get<double>();
     }
     CHECK(object.at("points").get<double>() == Approx(points));
-    CHECK(object.at("max").get<double>() == Approx(10));
+    CHECK(object.at("max").get<double>() == Approx(11));
 }
 
 void check_judged(const std::string& source, int code,

@@ -206,6 +206,10 @@ TEST_CASE("random meshes are open or closed as asked") {
         const IndexedMesh open = random_polygons(seed, options);
         CHECK(components_of(open).size() == 5);
         CHECK(border_circles_of(open) == 5);
+        options.surface = Surface::plane;
+        const IndexedMesh plane = random_polygons(seed, options);
+        CHECK(border_circles_of(plane) == 5);
+        for (const Vec3& position : plane.positions) CHECK(position.z == 0);
         options.surface = Surface::mixed;
         const IndexedMesh mixed = random_polygons(seed, options);
         open_parts += border_circles_of(mixed);

@@ -118,8 +118,8 @@ TEST_CASE("a submission gets the grade of its files") {
         .submit("week 1/prev.cpp", skeleton("prev"));
     const nlohmann::json results = autograder.run(built_grader());
     INFO(results.dump(2));
-    CHECK(results.at("score") == 20);
-    CHECK(results.at("extra_data").at("max") == 30);
+    CHECK(results.at("score") == 22);
+    CHECK(results.at("extra_data").at("max") == 33);
     CHECK(results.at("extra_data").at("assignment") == "One");
     CHECK(results.at("tests").size() > 5);
 }

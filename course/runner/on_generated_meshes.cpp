@@ -1,7 +1,7 @@
 // A check on generated meshes, and the smallest mesh on which it fails.
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <chrono>
 #include <exception>
 #include <utility>
 
@@ -15,6 +15,8 @@ namespace course {
 
 namespace {
 
+// Mostly a few dozens are enough, and less than 50 ms: reports depend on the
+// second limit only where a function is very slow.
 constexpr int most_smaller_meshes = 250;
 // Of all of them together, some hundred milliseconds. Not a time: reports are
 // the same on a busy machine.

@@ -56,15 +56,9 @@ std::string_view words(FeedbackLevel level) {
 }
 
 std::string limits_text(const Assignment& assignment) {
-    const std::vector<SharedLimits> all = limits_of(assignment);
     std::string text;
-    for (const SharedLimits& one : all)
-        text += fmt::format(
-            "  limits{}: {}\n",
-            all.size() == 1
-                ? ""
-                : fmt::format(" of {}", fmt::join(one.exercises, ", ")),
-            text_of(one.limits));
+    for (const SharedLimits& one : limits_of(assignment))
+        text += fmt::format("  {}: {}\n", one.title, text_of(one.limits));
     return text;
 }
 

@@ -95,9 +95,15 @@ std::vector<SharedLimits> limits_of(const Assignment& assignment) {
         };
         auto shared = std::find_if(all.begin(), all.end(), same);
         if (shared == all.end())
-            shared = all.insert(shared, SharedLimits{item.limits, {}});
+            shared = all.insert(shared, SharedLimits{item.limits, {}, {}});
         shared->exercises.emplace_back(short_name(item.exercise));
     }
+    std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) {
+        return a.exercises.size() > b.exercises.size();
+    });
+    for (SharedLimits& one : all)
+        one.title = fmt::format("limits of {}", fmt::join(one.exercises, ", "));
+    if (!all.empty()) all[0].title = "limits";
     return all;
 }
 

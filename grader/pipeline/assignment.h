@@ -82,13 +82,14 @@ Assignment default_assignment(const std::vector<std::string>& known);
 /// What students may be told of hidden cases at that moment.
 FeedbackLevel hidden_feedback_at(const Assignment& assignment, Instant now);
 
-/// Exercises of an assignment that have the same limits.
+/// The limits of some exercises of an assignment.
 struct SharedLimits {
     course::Limits limits;
     std::vector<std::string> exercises;  ///< their short names
+    std::string title;                   ///< "limits", "limits of tip, prev"
 };
 
-/// In the order of their first exercises.
+/// Those that most exercises have come first and are told without names.
 std::vector<SharedLimits> limits_of(const Assignment& assignment);
 
 /// "2 s for a call, 5 s for a case, 20 s for all; 0.25 s of CPU in which a case

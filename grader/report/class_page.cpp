@@ -545,15 +545,10 @@ Html suite_rows(const ClassSummary& results) {
 
 /// What submissions could use, in a row for all exercises or for some.
 Html limit_rows(const Assignment& assignment) {
-    const std::vector<SharedLimits> all = limits_of(assignment);
     Html rows;
-    for (const SharedLimits& one : all)
-        rows +=
-            markup("<tr><th>limits{}</th><td>{}</td></tr>\n",
-                   all.size() == 1
-                       ? ""
-                       : fmt::format(" of {}", fmt::join(one.exercises, ", ")),
-                   text_of(one.limits));
+    for (const SharedLimits& one : limits_of(assignment))
+        rows += markup("<tr><th>{}</th><td>{}</td></tr>\n", one.title,
+                       text_of(one.limits));
     return rows;
 }
 

@@ -44,7 +44,7 @@ TEST_CASE("limits of some exercises are told apart") {
         "[exercises]\nprev = 1\ntip = 1\nface_sides = 1\n"
         "[limits.tip]\nmemory_mib = 64\n");
     CHECK(said.code == 0);
-    CHECK(contains(said.text, "  limits of prev, face_sides: 2 s for a call"));
+    CHECK(contains(said.text, "  limits: 2 s for a call"));
     CHECK(contains(said.text, "  limits of tip: 2 s for a call"));
     CHECK(contains(said.text, "takes more memory; 64 MiB\n"));
 }

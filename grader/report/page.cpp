@@ -106,6 +106,8 @@ thead th { font-size: 0.87rem; font-weight: 600; color: var(--soft);
 .class td.who { padding-right: 12px; min-width: 130px; max-width: 180px;
                 overflow-wrap: anywhere; }
 .class .n { padding-left: 8px; padding-right: 8px; }
+.class .n small { display: inline-block; min-width: 6rem; line-height: 1.25;
+                  white-space: normal; }
 .class .mean td { border-bottom: 0; color: var(--soft); font-size: 0.87rem;
                   border-top: 1.5px solid var(--ink); }
 .of-bar { width: 180px; }
@@ -183,7 +185,15 @@ footer { margin-top: 48px; padding-top: 10px; color: var(--soft);
   html { font-size: 11.5px; }
   body { padding: 0; max-width: none; }
   h2 { margin-top: 26px; break-after: avoid; }
-  h2 + p, h3, .exercise > header, .cases .hint { break-after: avoid; }
+  h2 + p, h3, .exercise > header, .exercise > header + p, .cases .hint,
+  tr:has(.chapter) { break-after: avoid; }
+  .cases, .cases .detail { break-before: avoid; }
+  /* In a grid a page may end between a case and its hint. */
+  .cases > li { display: block; }
+  .cases > li > .v { margin-right: 12px; }
+  .cases > li > div { display: inline; }
+  .cases > li > .n { float: right; }
+  .cases > li > .detail { display: block; margin-left: 36px; }
   tr, figure, .alert { break-inside: avoid; }
   details { display: none; }
   .charts { grid-template-columns: 1fr 1fr; gap: 0 24px; }
@@ -193,11 +203,11 @@ footer { margin-top: 48px; padding-top: 10px; color: var(--soft);
   .numbers div { padding-right: 18px; margin-right: 18px; }
   .failure { flex-wrap: nowrap; gap: 0 16px; }
   .failure dl { flex-basis: 200px; grid-template-columns: 60px 1fr; }
-  figure { flex: 0 0 auto; max-width: 370px; }
-  svg.mesh { max-height: 300px; width: auto; }
+  figure { flex: 0 0 auto; max-width: 250px; }
+  svg.mesh { max-height: 180px; width: auto; }
   .class td, .class th { padding: 4px 1px; }
   .class th.up, .class .score { width: 24px; }
-  .class td.who { min-width: 84px; }
+  .class td.who { min-width: 110px; }
   .v { padding: 0 2px; }
 }
 )css";

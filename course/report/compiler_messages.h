@@ -26,9 +26,9 @@ struct CompilerMessage {
 std::vector<CompilerMessage> compiler_messages(std::string_view output);
 
 /// The first of them in full, and how many more there are, below the word that
-/// the compiler was stopped; the output as it is when no message is found in it.
-/// Of lines that no terminal shows whole, the begin. The first line of each is
-/// "file:line:column: error: text", as editors know it.
+/// the compiler was stopped; the output as it is when no message is found in
+/// it. Of lines that no terminal shows whole, the begin. The first line of each
+/// is "file:line:column: error: text", as editors know it.
 std::string explain_compiler(std::string_view output);
 
 }  // namespace course

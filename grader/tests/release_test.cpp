@@ -386,11 +386,10 @@ TEST_CASE("the copy builds and checks on its own", "[.slow]") {
     const course::TemporaryFolder folder;
     const fs::path made = folder / "copy";
     const auto before = std::set<std::string>{"assignment.toml", "copy"};
-    const course::Finished finished =
-        release(made,
-                {"--assignment",
-                 assignment(folder, "complete_table = 1\neuler = 1\n")},
-                std::chrono::minutes(40));
+    const course::Finished finished = release(
+        made,
+        {"--assignment", assignment(folder, "complete_table = 1\neuler = 1\n")},
+        std::chrono::minutes(40));
     INFO(finished.output);
     REQUIRE(code(finished) == 0);
     // One that builds on others, too: there are no references to link.

@@ -659,11 +659,20 @@ void wait_until(const std::function<bool()>& holds) {
     }
 }
 
+/// Nothing of a process that ended in between.
+std::string command_line(const fs::path& process) {
+    try {
+        return file_contents(process / "cmdline");
+    } catch (const std::ios_base::failure&) {
+        return "";
+    }
+}
+
 /// Graders on this machine with that subcommand and something below `out`.
 std::vector<pid_t> graders(const std::string& subcommand, const fs::path& out) {
     std::vector<pid_t> found;
     for (const auto& entry : fs::directory_iterator("/proc")) {
-        const std::string line = file_contents(entry.path() / "cmdline");
+        const std::string line = command_line(entry.path());
         const std::string begin =
             (course::build_root() / "grader/grader").string() + '\0' +
             subcommand + '\0';

@@ -1,6 +1,8 @@
 // grader plagiarism SUBMISSIONS --assignment FILE --out DIR
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "course/mesh/file_defects.h"
 #include "course/report/escape.h"
 #include "grader/cli/class_session.h"
@@ -25,18 +27,28 @@ std::string quoted(const std::string& text) {
     return quoted + "'";
 }
 
-void print_commands(const fs::path& out,
+/// Dolos refuses to look at fewer than two files.
+bool can_be_compared(const SubmittedClass& submitted, std::size_t exercise) {
+    return std::count_if(submitted.submissions.begin(),
+                         submitted.submissions.end(),
+                         [&](const Submission& one) {
+                             return one.files[exercise].has_value();
+                         }) >= 2;
+}
+
+void print_commands(const fs::path& out, const SubmittedClass& submitted,
                     const std::vector<course::Exercise>& exercises) {
     fmt::print(
         "JPlag, all exercises at once:\n  cd {} && java -jar jplag.jar -l cpp "
         "-bc base submissions\nDolos, an exercise at a time:\n",
         quoted(out.string()));
-    for (const course::Exercise& exercise : exercises)
-        if (!exercise.is_data)
+    for (std::size_t k = 0; k < exercises.size(); ++k)
+        if (!exercises[k].is_data && can_be_compared(submitted, k))
             fmt::print(
                 "  cd {} && dolos run -f web -l cpp -i base/{} "
                 "info_{}.csv\n",
-                quoted(out.string()), exercise.file_name(), exercise.name);
+                quoted(out.string()), exercises[k].file_name(),
+                exercises[k].name);
 }
 
 int plagiarism_command(const Options& options) {
@@ -60,7 +72,7 @@ int plagiarism_command(const Options& options) {
         fmt::print("Who is who stands in {}, and stays with you.\n",
                    names_file.string());
     }
-    print_commands(out, exercises);
+    print_commands(out, submitted, exercises);
     return 0;
 }
 

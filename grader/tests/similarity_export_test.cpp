@@ -17,10 +17,11 @@ public:
         files_.file("class/anna rossi/face_sides.cpp", "int anna;")
             .file("class/anna rossi/week/complete_table.csv", "0,1")
             .file("class/=cmd()/face_sides.cpp", "int cmd;")
+            .file("class/=cmd()/tip.cpp", "int tip;")
             .file("class/carla/notes.txt", "none")
             .file("a.toml",
                   "name = \"x\"\n[exercises]\nface_sides = 1\n"
-                  "complete_table = 1\n");
+                  "complete_table = 1\ntip = 1\n");
         std::vector<std::string> words = {
             "plagiarism",   files_.at("class").string(),
             "--assignment", files_.at("a.toml").string(),
@@ -97,6 +98,8 @@ TEST_CASE("the command lines of both programs are printed") {
     CHECK_THAT(all.said.text,
                Containing("dolos run -f web -l cpp -i base/face_sides.cpp "
                           "info_face_sides.csv"));
+    // One file is like no other, and an error for Dolos.
+    CHECK_THAT(all.said.text, !Containing("info_tip.csv"));
 }
 
 TEST_CASE("a folder with something in it is left alone") {

@@ -29,18 +29,22 @@ class Hidden(Exception):
     """There is nothing to show of this value."""
 
 
+class NoValue(Hidden):
+    """It has none yet."""
+
+
 # ---- values
 
 
 def integer(value):
     if value.type.sizeof > 1 and is_pattern(value, PATTERNS[:2]):
-        raise Hidden
+        raise NoValue
     return int(value)
 
 
 def real(value):
     if is_pattern(value, PATTERNS):
-        raise Hidden
+        raise NoValue
     return float(value)
 
 
@@ -87,22 +91,20 @@ def vector(value):
     return elements(first, int(value["_M_impl"]["_M_finish"] - first))
 
 
-def parts(values):
+def part(value):
     """Of an array or a struct, which may have a value in a few places only."""
-    found = []
-    for value in values:
-        try:
-            found.append(shown(value))
-        except Hidden:
-            found.append("?")
-    if all(part == "?" for part in found):
-        raise Hidden
-    return found
+    try:
+        return shown(value)
+    except NoValue:
+        return "?"
 
 
 def fixed_array(value):
     low, high = value.type.strip_typedefs().range()
-    return parts(value[k] for k in range(low, min(high + 1, MOST_ELEMENTS)))
+    found = [part(value[k]) for k in range(low, min(high + 1, MOST_ELEMENTS))]
+    if all(element == "?" for element in found):
+        raise NoValue
+    return found
 
 
 def span(value):
@@ -141,9 +143,16 @@ def members(value):
     fields = [f for f in value.type.strip_typedefs().fields() if not f.is_base_class]
     if not 0 < len(fields) <= 8:
         raise Hidden
-    inside = [f"{field.name} {as_text(part)}" for field, part in
-              zip(fields, parts(value[field] for field in fields))]
-    return "{" + ", ".join(inside) + "}"
+    found = {}
+    for field in fields:
+        try:
+            found[field.name] = part(value[field])
+        except Hidden:
+            pass  # as a table that it refers to
+    if all(inside == "?" for inside in found.values()):
+        raise NoValue
+    return "{" + ", ".join(f"{name} {as_text(inside)}" for name, inside in
+                           found.items()) + "}"
 
 
 def as_text(value):

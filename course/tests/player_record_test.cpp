@@ -227,6 +227,8 @@ TEST_CASE("a variable is shown from when it has a value") {
         "        mark = 'x';\n"
         "        std::array<int, 2> two;\n"
         "        two[1] = c;\n"
+        "        struct Walker { const HalfEdgeTable& he; int at; };\n"
+        "        const Walker walker{he, a};\n"
         "        for (int j = he[i].next, k = he[j].next,\n"
         "                 m = k > 3 ? j : k;\n"
         "             j == 11; ++j)\n"
@@ -247,6 +249,7 @@ TEST_CASE("a variable is shown from when it has a value") {
     CHECK(values_of(walk, "large") == twice("false"));
     CHECK(values_of(walk, "mark") == twice("120"));
     CHECK(values_of(walk, "two") == twice("[\"?\", 4]"));
+    CHECK(values_of(walk, "walker") == twice("\"{at 1}\""));
     CHECK(values_of(walk, "k") == twice("15"));
     CHECK(values_of(walk, "m") == twice("11"));
     CHECK(values_of(walk, "j") ==

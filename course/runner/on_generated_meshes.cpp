@@ -15,11 +15,10 @@ namespace course {
 
 namespace {
 
-// Mostly a few dozens are enough, and less than 50 ms: reports depend on the
-// second limit only where a function is very slow.
+// Mostly a few dozens are enough, and less than 50 ms.
 constexpr int most_smaller_meshes = 250;
-// Of all of them together, some hundred milliseconds. Not a time: reports are
-// the same on a busy machine.
+// Of all of them together. No limit in time: reports are to be the same on a
+// busy machine.
 constexpr int most_half_edges = 20'000;
 
 using Check = std::function<void(const Fixture&)>;

@@ -95,7 +95,11 @@ public:
     /// Where that fails, nothing has happened: a fresh worker is asked one by
     /// one, and so are all after it.
     void ask_ahead(const HalfEdgeTable& he, std::vector<int> starts);
-    void stop_asking_ahead() { ahead_.reset(); }
+    /// The table may be gone from then on.
+    void stop_asking_ahead() {
+        ahead_.reset();
+        answered_.reset();
+    }
 
     /// The reply did not decode: records it and throws WorkerFailed.
     [[noreturn]] void malformed(const std::string& why);

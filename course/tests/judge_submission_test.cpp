@@ -92,9 +92,15 @@ TEST_CASE("the limits of the exercise are those of its submission") {
     const TemporaryFolder folder;
     const auto file = folder / "face_sides.cpp";
     std::ofstream(file) << include_contract
-                        << right_after(
-                               "static volatile char* much = "
-                               "new char[256 << 20]; *much = 1;");
+                        << "int face_sides(const HalfEdgeTable& he, int i) {\n"
+                           "    static volatile char* much =\n"
+                           "        new char[256 << 20];\n"
+                           "    *much = 1;\n"
+                           "    if (he[i].fi == -1) return 0;\n"
+                           "    int sides = 0, k = i;\n"
+                           "    do ++sides, k = he[k].next; while (k != i);\n"
+                           "    return sides;\n"
+                           "}\n";
     Exercise exercise = exercise_named("face_sides");
     LocalWorkplace workplace;
     const auto verdict = [&] {

@@ -68,7 +68,7 @@ TEST_CASE(
                Containing("face_sides"));
     const std::string grades = file_contents(out / "grades.csv");
     INFO(grades);
-    CHECK_THAT(grades, Containing("anna,10,"));
+    CHECK_THAT(grades, Containing("anna,11,"));
     CHECK_THAT(grades, Containing("mallory,0,"));
 }
 

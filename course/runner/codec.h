@@ -18,6 +18,7 @@
 
 #include "course/halfedge/half_edge_table.h"
 #include "course/mesh/indexed_mesh.h"
+#include "course/runner/limits.h"
 
 namespace course {
 
@@ -105,9 +106,9 @@ std::string encode(const T& value) {
 
 /// Copied as they lie in memory: no padding, every bit pattern is a value.
 template <class T>
-concept Plain =
-    (std::is_arithmetic_v<T> && !std::is_same_v<T, bool>) ||
-    std::is_enum_v<T> || std::is_same_v<T, HalfEdge> || std::is_same_v<T, Vec3>;
+concept Plain = (std::is_arithmetic_v<T> && !std::is_same_v<T, bool>) ||
+                std::is_enum_v<T> || std::is_same_v<T, HalfEdge> ||
+                std::is_same_v<T, Vec3> || std::is_same_v<T, Limits>;
 
 template <Plain T>
 struct Codec<T> {

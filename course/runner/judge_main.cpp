@@ -11,7 +11,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <bit>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
@@ -324,9 +323,9 @@ std::vector<CaseResult> results_of_all(
 /// nothing when there will be none.
 std::optional<Limits> wait_for_word(int go) {
     if (go < 0) return Limits{};
-    std::string word = encode(LimitNumbers{});
+    std::string word = encode(Limits{});
     if (!read_all(go, word.data(), word.size())) return std::nullopt;
-    return std::bit_cast<Limits>(decode<LimitNumbers>(word));
+    return decode<Limits>(word);
 }
 
 void run_cases(Catch::Session& session, const Options& options,

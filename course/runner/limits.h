@@ -3,7 +3,7 @@
 // are then in the copy for its students, too.
 #pragma once
 
-#include <array>
+#include <compare>
 #include <cstdint>
 #include <map>
 #include <string>
@@ -40,12 +40,8 @@ struct Limits {
     /// The longest file that is compiled.
     std::int32_t source_kib = 4096;
 
-    friend bool operator==(const Limits&, const Limits&) = default;
+    friend auto operator<=>(const Limits&, const Limits&) = default;
 };
-
-/// For files and other programs: std::bit_cast makes them of Limits, and back.
-using LimitNumbers =
-    std::array<std::int32_t, sizeof(Limits) / sizeof(std::int32_t)>;
 
 /// What the file .lab/limits of a student's copy says of exercises, by name: a
 /// line for each, the name and the numbers of Limits in their order. Lines that

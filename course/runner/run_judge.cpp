@@ -4,8 +4,6 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <bit>
-
 #include "course/runner/codec.h"
 #include "course/runner/compile.h"
 #include "course/runner/judge_stream.h"
@@ -114,7 +112,7 @@ ExerciseResult RunningJudge::report(std::chrono::milliseconds most) {
 
 ExerciseResult RunningJudge::result() {
     // Fails when the judge has ended already; its report then tells.
-    send_all(go_.get(), encode(std::bit_cast<LimitNumbers>(exercise_.limits)),
+    send_all(go_.get(), encode(exercise_.limits),
              Clock::now() + std::chrono::seconds(1));
     ExerciseResult result = report(most_);
     lift_load_error(exercise_, result);

@@ -1,7 +1,6 @@
 #include "grader/pipeline/slurm_executor.h"
 
 #include <algorithm>
-#include <bit>
 #include <map>
 #include <tuple>
 #include <utility>
@@ -47,7 +46,7 @@ public:
 
 private:
     /// Of a JobTask, and the limits of its exercise.
-    using Source = std::tuple<std::string, std::string, course::LimitNumbers>;
+    using Source = std::tuple<std::string, std::string, course::Limits>;
 
     void take_from(const JobFolder& old);
     void take(const Source& source, const ExerciseResult& result);
@@ -61,7 +60,7 @@ void Leftovers::list_tasks() {
     for (std::size_t k = 0; k < work_.tasks.count; ++k) {
         const Task task = work_.tasks.at(k);
         wanted_[{task.exercise->full_name(), sha256(task.source),
-                 std::bit_cast<course::LimitNumbers>(task.exercise->limits)}]
+                 task.exercise->limits}]
             .push_back(k);
     }
 }
@@ -82,8 +81,7 @@ void Leftovers::take_from(const JobFolder& old) {
         const JobTask& listed = job->tasks[k];
         if (const auto result = old.result(k, listed))
             take({listed.exercise, listed.source,
-                  std::bit_cast<course::LimitNumbers>(
-                      limits_in(*job, listed.exercise))},
+                  limits_in(*job, listed.exercise)},
                  *result);
     }
 }

@@ -36,7 +36,7 @@ struct Job {
     std::string build;        ///< see build_version
     std::uint64_t chunk = 1;  ///< so many tasks are judged in one go
     std::vector<JobTask> tasks;
-    std::map<std::string, course::LimitNumbers> limits;  ///< of its exercises
+    std::map<std::string, course::Limits> limits;  ///< of its exercises
 
     std::size_t chunks() const { return (tasks.size() + chunk - 1) / chunk; }
 };

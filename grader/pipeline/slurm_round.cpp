@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <bit>
 #include <thread>
 #include <utility>
 
@@ -63,8 +62,7 @@ void SlurmRound::write_tasks(std::size_t most_chunks) {
         const Task task = work_.tasks.at(tasks_[k].task);
         folder_.write_source(k, task.source);
         job_.tasks.push_back({task.exercise->full_name(), sha256(task.source)});
-        job_.limits[task.exercise->full_name()] =
-            std::bit_cast<course::LimitNumbers>(task.exercise->limits);
+        job_.limits[task.exercise->full_name()] = task.exercise->limits;
     }
     job_.build = build_version(exercises_of(job_));
     folder_.write(job_);

@@ -411,10 +411,7 @@ TEST_CASE("of a killed head's job only results as good as new are taken") {
         expected = 4;
     }
     SECTION("judged under other limits") {
-        course::Limits limits;
-        limits.memory_mib = 64;
-        job.limits[tip().full_name()] =
-            std::bit_cast<course::LimitNumbers>(limits);
+        job.limits[tip().full_name()].memory_mib = 64;
         job.build = build_version(exercises_of(job));
         expected = 4;
     }

@@ -257,14 +257,20 @@ void for_each_face(const FaceList& faces, Use use) {
     }
 }
 
-/// Calls use(from, to) for each side of a face and each loose edge, in order:
-/// side k begins at corner k of the list of corners.
+/// Calls use(from, to) for each side of the face with these corners, in order.
+template <class Use>
+void for_each_side_of(const int* corner, const int* end, Use use) {
+    const int first = *corner;
+    for (; corner + 1 != end; ++corner) use(corner[0], corner[1]);
+    use(*corner, first);
+}
+
+/// The same for all faces, and each loose edge: side k begins at corner k of
+/// the list of corners.
 template <class Use>
 void for_each_side(const IndexedMesh& mesh, Use use) {
     for_each_face(mesh.faces, [&](const int* corner, const int* end) {
-        const int first = *corner;
-        for (; corner + 1 != end; ++corner) use(corner[0], corner[1]);
-        use(*corner, first);
+        for_each_side_of(corner, end, use);
     });
     for (const auto& [from, to] : mesh.loose_edges) use(from, to);
 }
@@ -288,11 +294,12 @@ public:
     bool is_sound() const { return is_sound_; }
 
     /// The sides of faces that are alone on their edge, ascending.
+    /// Precondition: is_sound().
     std::vector<int> alone() const {
+        const std::size_t count = index(faces_sides_) - 2 * pairs_;
         std::vector<int> sides;
-        sides.reserve(index(faces_sides_) - 2 * pairs_);
-        if (sides.capacity() == 0) return sides;
-        for (int side = 0; side < faces_sides_; ++side)
+        sides.reserve(count);
+        for (int side = 0; sides.size() < count; ++side)
             if (before_[index(side)] == is_alone) sides.push_back(side);
         return sides;
     }
@@ -327,9 +334,7 @@ private:
         };
         for_each_face(mesh.faces, [&](const int* corner, const int* end) {
             is_sound_ = is_sound_ && is_sound_face(mesh, {corner, end});
-            if (!is_sound_) return;
-            for (const int* k = corner; k + 1 != end; ++k) add(k[0], k[1]);
-            add(end[-1], *corner);
+            if (is_sound_) for_each_side_of(corner, end, add);
         });
         for (const auto& [a, b] : mesh.loose_edges) {
             is_sound_ =

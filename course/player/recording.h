@@ -16,6 +16,9 @@ namespace course {
 /// vi, fi, next, opp.
 using Row = std::array<int, 4>;
 
+/// Names of variables, and their values as JSON.
+using Variables = std::vector<std::pair<std::string, std::string>>;
+
 /// A read or write of the table, or (without `i`) a line that was reached.
 struct Step {
     int line = 0;  ///< of the source, from 1; 0 when it is not known
@@ -31,10 +34,10 @@ struct Step {
     /// Read in a table that was copied, and the copy has been edited since:
     /// the value may not be the one that the edited table has there.
     bool in_original = false;
-    /// Local variables of its function that changed: name, and value as JSON;
-    /// null when the variable is gone. Those of a function that calls another
+    /// Local variables of its function that changed; null when the variable is
+    /// gone. Those of a function that calls another
     /// one are there again when that returns.
-    std::vector<std::pair<std::string, std::string>> locals = {};
+    Variables locals = {};
     /// The function's name, when it is another one than in the step before.
     std::string function = {};
     /// How many calls of functions of the file it is in, when these are more or

@@ -5,15 +5,11 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "course/player/recording.h"
 
 namespace course {
-
-/// Names of variables, and their values as JSON.
-using Variables = std::vector<std::pair<std::string, std::string>>;
 
 /// A line that was reached, as locals.py writes it.
 struct LineReached {

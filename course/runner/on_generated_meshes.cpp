@@ -1,7 +1,6 @@
 // A check on generated meshes, and the smallest mesh on which it fails.
 #include <fmt/format.h>
 
-#include <chrono>
 #include <exception>
 #include <utility>
 

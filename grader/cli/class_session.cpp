@@ -203,18 +203,6 @@ SubmittedClass submissions_of(const ClassOptions& options,
     }
 }
 
-std::vector<course::Exercise> exercises_of(
-    const std::optional<Assignment>& assignment) {
-    if (!assignment) return course::all_exercises();
-    std::vector<course::Exercise> exercises;
-    for (const Assignment::Item& item : assignment->exercises) {
-        exercises.push_back(
-            course::exercise_named(std::string(short_name(item.exercise))));
-        exercises.back().limits = item.limits;
-    }
-    return exercises;
-}
-
 std::optional<Assignment> assignment_in(const fs::path& file) {
     if (file.empty()) return std::nullopt;
     try {

@@ -31,11 +31,7 @@ struct ClassOptions {
     void add_to(CLI::App& app);
 };
 
-/// The exercises of an assignment; all without one.
-std::vector<course::Exercise> exercises_of(
-    const std::optional<Assignment>& assignment);
-
-/// What was handed in of them. Throws CannotBegin.
+/// What was handed in of the exercises. Throws CannotBegin.
 SubmittedClass submissions_of(const ClassOptions& options,
                               const std::vector<course::Exercise>& exercises);
 

@@ -81,6 +81,18 @@ Assignment default_assignment(const std::vector<std::string>& known) {
     return assignment;
 }
 
+std::vector<course::Exercise> exercises_of(
+    const std::optional<Assignment>& assignment) {
+    if (!assignment) return course::all_exercises();
+    std::vector<course::Exercise> exercises;
+    for (const Assignment::Item& item : assignment->exercises) {
+        exercises.push_back(
+            course::exercise_named(std::string(short_name(item.exercise))));
+        exercises.back().limits = item.limits;
+    }
+    return exercises;
+}
+
 FeedbackLevel hidden_feedback_at(const Assignment& assignment, Instant now) {
     const bool is_over = !assignment.due || now > assignment.due->at;
     return is_over ? assignment.hidden_feedback.after_due

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "course/runner/limits.h"
+#include "course/runner/exercises.h"
 #include "grader/pipeline/lateness.h"
 
 namespace grader {
@@ -78,6 +78,11 @@ Assignment read_assignment(const std::filesystem::path& file,
 
 /// What is graded without a file: every exercise in `known`, with weight 1.
 Assignment default_assignment(const std::vector<std::string>& known);
+
+/// The exercises of an assignment, with their limits there; all of this tree
+/// without one. Throws course::UnknownExercise.
+std::vector<course::Exercise> exercises_of(
+    const std::optional<Assignment>& assignment);
 
 /// What students may be told of hidden cases at that moment.
 FeedbackLevel hidden_feedback_at(const Assignment& assignment, Instant now);

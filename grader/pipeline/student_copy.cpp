@@ -240,10 +240,8 @@ std::vector<Exercise> released_exercises(
     const std::optional<Assignment>& assignment) {
     if (!assignment) return course::all_exercises();
     std::map<std::string, course::Limits> limits;  // by name
-    for (const Assignment::Item& item : assignment->exercises) {
-        const Exercise exercise =
-            course::exercise_named(std::string(short_name(item.exercise)));
-        limits[exercise.name] = item.limits;
+    for (const Exercise& exercise : exercises_of(assignment)) {
+        limits[exercise.name] = exercise.limits;
         for (const Exercise& before : course::exercises_before(exercise))
             limits.try_emplace(before.name);
     }

@@ -35,8 +35,8 @@ struct Step {
     /// the value may not be the one that the edited table has there.
     bool in_original = false;
     /// Local variables of its function that changed; null when the variable is
-    /// gone. Those of a function that calls another
-    /// one are there again when that returns.
+    /// gone. Those of a function that calls another one are there again when
+    /// that returns.
     Variables locals = {};
     /// The function's name, when it is another one than in the step before.
     std::string function = {};

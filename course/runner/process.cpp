@@ -125,6 +125,7 @@ void tell_warden(std::int32_t program) {
 
 /// Reads until the other process is gone, then ends what it left.
 [[noreturn]] void be_warden(int from) {
+    ::setsid();  // who ends the whole group of the other spares this one
     for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT})
         std::signal(signal, SIG_IGN);
     ::dup2(from, 0);
@@ -177,11 +178,11 @@ Process::Process(const Command& command) {
         sigaddset(&usual, signal);
     ::posix_spawnattr_setsigmask(&attributes, &none);
     ::posix_spawnattr_setsigdefault(&attributes, &usual);
-    // A group of its own: Ctrl-C at the terminal is for the grader to handle.
-    ::posix_spawnattr_setpgroup(&attributes, 0);
+    // A session and a group of its own: no terminal to reach, Ctrl-C there is
+    // for this process to handle, and the group can be ended as one.
     ::posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK |
                                                 POSIX_SPAWN_SETSIGDEF |
-                                                POSIX_SPAWN_SETPGROUP);
+                                                POSIX_SPAWN_SETSID);
     const int error =
         ::posix_spawnp(&pid_, command.arguments.at(0).c_str(), actions.get(),
                        &attributes, pointers(command.arguments).data(),

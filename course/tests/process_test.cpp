@@ -40,12 +40,14 @@ bool all_are_gone() {
 
 }  // namespace
 
-TEST_CASE("programs end with a process that is killed") {
+TEST_CASE("programs end with a process that is killed, alone or its group") {
     // What loses its parent becomes a child of this test.
     REQUIRE(::prctl(PR_SET_CHILD_SUBREAPER, 1) == 0);
     DescriptorPair ready = pipe_pair();
+    const bool whole_group = GENERATE(false, true);
     const pid_t starter = ::fork();
     if (starter == 0) {
+        ::setpgid(0, 0);
         end_programs_with_this_process();
         const Process one(sleeping()), other(sleeping());
         { Process ended(sleeping()); }
@@ -54,7 +56,7 @@ TEST_CASE("programs end with a process that is killed") {
     }
     char byte = 0;
     REQUIRE(read_all(ready.first.get(), &byte, 1));
-    ::kill(starter, SIGKILL);
+    ::kill(whole_group ? -starter : starter, SIGKILL);
     CHECK(all_are_gone());
 }
 

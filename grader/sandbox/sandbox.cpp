@@ -122,7 +122,7 @@ uid_t user_of(const Stage& stage, int slot) {
 /// whole desktop.
 Arguments entering(const Stage& stage, int slot, const StepLimits& limits,
                    const std::optional<ControlGroup>& group) {
-    Arguments list = {stage.enter(),
+    Arguments list = {stage.enter(), fmt::format("--parent={}", ::getpid()),
                       fmt::format("--cpu={}", limits.cpu_seconds),
                       fmt::format("--memory={}", limits.process_mib),
                       fmt::format("--file-size={}", limits.file_mib)};
@@ -182,7 +182,9 @@ std::vector<std::string> toolchain() {
 
 /// Namespaces of its own for everything, nobody inside, no way up. The command
 /// is the first process inside: bubblewrap would put one of its own there, does
-/// not wait for its end, and in a container nobody may collect it.
+/// not wait for its end, and in a container nobody may collect it. All stay in
+/// the session and group of their Process, by which they can be ended even
+/// before bubblewrap has seen to it that they end with the grader.
 Arguments bubblewrap() {
     return {"--",
             "bwrap",
@@ -201,7 +203,6 @@ Arguments bubblewrap() {
             "--hostname",
             "sandbox",
             "--die-with-parent",
-            "--new-session",
             "--cap-drop",
             "ALL",
             "--clearenv",

@@ -360,7 +360,7 @@ TEST_CASE("generated meshes, sound and spoilt", "[points:2]") {
 TEST_CASE("a large mesh", "[points:1]") {
     hint("How do you find the faces of an edge, and the edges of a vertex?");
     Fixture large = hidden::put_in_another_order(
-        hidden::of_mesh("large grid", grid(70, 60)), 5);
+        hidden::of_mesh("large grid", grid(110, 90)), 5);
     const int n = large.mesh.faces.size();
     large.mesh.faces.push_back(large.mesh.faces[7]);
     const Defects found = ::defects(large.mesh);

@@ -26,16 +26,16 @@ bool check_face(const IndexedMesh& mesh, int f, Defects& found) {
     FaceList::Face face = mesh.faces[f];
     if (face.size() < 3) found.push_back({MeshFault::too_few_corners, {f}});
     std::vector<int> times(mesh.positions.size());
+    std::set<int> repeated;
     int corner = 0;
     for (int v : face) {
         if (v < 0 || v >= mesh.vertex_count())
             found.push_back({MeshFault::index_out_of_range, {f, corner}});
-        ++times.at(static_cast<std::size_t>(v));
+        if (++times.at(static_cast<std::size_t>(v)) > 1) repeated.insert(v);
         ++corner;
     }
-    for (int v = 0; v < mesh.vertex_count(); ++v)
-        if (times[static_cast<std::size_t>(v)] > 1)
-            found.push_back({MeshFault::repeated_vertex, {f, v}});
+    for (int v : repeated)
+        found.push_back({MeshFault::repeated_vertex, {f, v}});
     return found.size() == before;
 }
 

@@ -18,12 +18,12 @@ inline namespace COURSE_TABLE_NAMESPACE {
 
 namespace {
 
-int line_of(HalfEdgeIndex at) {
-#if COURSE_TABLE == 1
-    return static_cast<int>(at.place);
-#else
-    return at.place < 0 ? 0 : static_cast<int>(at.place / 4096);
-#endif
+std::int64_t word_of(const Visit& visit) {
+    return std::int64_t{visit.line} << 32 | static_cast<std::uint32_t>(visit.i);
+}
+
+Visit visit_of(std::int64_t word) {
+    return {static_cast<int>(word), static_cast<int>(word >> 32)};
 }
 
 std::string at_line(int line) {
@@ -121,7 +121,7 @@ std::string endless(std::vector<Visit> repeated, std::int64_t budget,
 int HalfEdgeTable::copy_last_visits(Visit* to) const {
     const auto n = static_cast<int>(std::min<std::int64_t>(reads(), ring_size));
     for (int k = n - 1; k >= 0; --k)
-        *to++ = ring_[(left_ + k) & (ring_size - 1)];
+        *to++ = visit_of(ring_[(left_ + k) & (ring_size - 1)]);
     return n;
 }
 
@@ -136,21 +136,22 @@ void HalfEdgeTable::note_reads(std::int64_t reads,
     left_ = std::max<std::int64_t>(left_ - reads, 0);
     for (std::size_t k = 0; k < last.size(); ++k)
         ring_[(left_ + static_cast<std::int64_t>(last.size() - 1 - k)) &
-              (ring_size - 1)] = last[k];
+              (ring_size - 1)] = word_of(last[k]);
 }
 
 void HalfEdgeTable::charge() const {
-    HalfEdgeIndex at(0);
-    at.place = 0;  // a loop over the whole table has no line of its own
-    for (; at.i < size(); ++at.i) row(at);
+    for (int i = 0; i < size(); ++i) {
+        HalfEdgeIndex at(i);
+        at.forget_line();  // a loop over the whole table has none of its own
+        row(at);
+    }
 }
 
 void HalfEdgeTable::fail(HalfEdgeIndex at) const {
     const std::vector<Visit> visits = last_visits();
-    const int line = line_of(at);
-    if (static_cast<std::uint64_t>(at.i) >= rows_.size())
-        throw OutOfTable(
-            no_such_row(rows_, static_cast<int>(at.i), line, visits));
+    const int line = at.line();
+    if (static_cast<std::uint32_t>(at.i()) >= rows_.size())
+        throw OutOfTable(no_such_row(rows_, at.i(), line, visits));
     const std::string where = line > 0 ? fmt::format("line {}: ", line) : "";
     const std::vector<Visit> repeated = cycle(visits);
     if (!repeated.empty())
@@ -270,9 +271,8 @@ void HalfEdgeTable::note_changes() const {
 }
 
 void HalfEdgeTable::note(HalfEdgeIndex at) const {
-    ring_[--left_ & (ring_size - 1)] = {static_cast<int>(at.i), line_of(at)};
-    add_event(TraceEvent::Kind::subscript, static_cast<int>(at.i), at.place,
-              at.frame);
+    ring_[--left_ & (ring_size - 1)] = word_of({at.i(), at.line()});
+    add_event(TraceEvent::Kind::subscript, at.i(), at.place, at.frame);
 }
 
 void HalfEdgeTable::append(const HalfEdge& row, std::int64_t place,

@@ -188,8 +188,10 @@ TEST_CASE("a null pointer is a run-time error with the last read") {
 }
 
 TEST_CASE("a recursion that does not end is a full stack") {
-    check_fails_on_border("return 1 + face_sides(he, i);",
-                          Verdict::run_time_error, "the stack is full");
+    check_fails_on_border(
+        "volatile int a[64]; a[0] = i;\n"
+        "return a[0] + face_sides(he, i);",
+        Verdict::run_time_error, "the stack is full");
     check_fails(
         "int deep(int n) { volatile int a[64]; a[0] = n;\n"
         "    return deep(n + 1) + a[0]; }\n"

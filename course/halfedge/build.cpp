@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "course/halfedge/edge_uses.h"
+#include "course/halfedge/large_pages.h"
 #include "course/halfedge/validate.h"
 
 namespace course {
@@ -328,7 +329,7 @@ private:
     /// How many sides each vertex is the smaller end of, one place further on.
     /// Finds faces and loose edges that are unsound by themselves.
     std::vector<int> count(const IndexedMesh& mesh) {
-        std::vector<int> counts(mesh.positions.size() + 1, 0);
+        std::vector<int> counts = large_vector(mesh.positions.size() + 1, 0);
         const auto add = [&](int a, int b) {
             ++counts[index(std::min(a, b)) + 1];
         };
@@ -347,13 +348,15 @@ private:
     void pair_all(const IndexedMesh& mesh, std::vector<HalfEdge>& rows,
                   std::vector<int> ends) {
         const std::size_t n = index(faces_sides_) + mesh.loose_edges.size();
-        // An upper bound; memory that is never touched costs nothing.
+        // An upper bound; memory that is never touched costs nothing. At least
+        // half of it will be.
         rows.reserve(2 * n);
+        prefer_large_pages(rows.data(), n * sizeof(HalfEdge));
         rows.resize(n / 2 + 1);
         bytes_ = reinterpret_cast<std::byte*>(rows.data());
         lay_out(mesh, ends);
-        before_.assign(n, is_first);
-        std::vector<int> last(mesh.positions.size(), -1);
+        before_ = large_vector(n, int{is_first});
+        std::vector<int> last = large_vector(mesh.positions.size(), -1);
         int begin = 0;
         for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
             pair_those_of_a_vertex(begin, ends[v], last);
@@ -485,7 +488,7 @@ private:
     void link_borders(std::size_t vertices) {
         if (border_.empty()) return;
         // Each vertex's border half-edge that comes in.
-        std::vector<int> coming_in(vertices, -1);
+        std::vector<int> coming_in = large_vector(vertices, -1);
         for (const int i : border_) {
             const int j = other_end_of_fan(i);
             row(j).next = i;

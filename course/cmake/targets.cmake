@@ -19,6 +19,13 @@ function(course_library name)
     target_link_libraries(${name} PUBLIC ${ARG_LINK})
 endfunction()
 
+# A target of many small sources that read a command line: what they take to
+# compile is CLI11, and their work is done elsewhere.
+function(course_commands name)
+    target_precompile_headers(${name} PRIVATE <CLI/CLI.hpp>)
+    target_compile_options(${name} PRIVATE -O0)
+endfunction()
+
 # One test program per *_test.cpp of a folder, linked with Catch2's main.
 # course_tests(folder LINK...)
 function(course_tests folder)

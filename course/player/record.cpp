@@ -218,7 +218,7 @@ void Session::add_walks(std::size_t source, Recording& recording) const {
     recording.start_kind = recorded.start_kind;
     for (std::size_t k = 0; k < recorded.calls.size(); ++k) {
         const RecordedBytes& call = recorded.calls[k];
-        Walk walk;
+        RecordedWalk walk;
         if (call.error.empty())
             walk = decode_call(
                 call.bytes, recording.table, submission.text, exercise_.name,
@@ -255,7 +255,7 @@ void add_expectations(Recording& recording) {
     if (recording.sources.size() < 2) return;
     const std::size_t half = recording.walks.size() / 2;
     for (std::size_t k = 0; k < half; ++k) {
-        Walk& walk = recording.walks[half + k];
+        RecordedWalk& walk = recording.walks[half + k];
         walk.expected = recording.walks[k].result;
         walk.expected_error = recording.walks[k].error;
         if (walk.call.empty()) walk.call = recording.walks[k].call;

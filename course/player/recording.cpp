@@ -9,7 +9,7 @@ namespace course {
 namespace {
 
 Json json_of(const Step& step);
-Json json_of(const Walk& walk);
+Json json_of(const RecordedWalk& walk);
 Json json_of(const RecordedSource& source);
 
 template <class T>
@@ -43,7 +43,7 @@ Json json_of(const Step& step) {
     return object;
 }
 
-Json json_of(const Walk& walk) {
+Json json_of(const RecordedWalk& walk) {
     Json object = Json::object({{"source", walk.source}, {"call", walk.call}});
     object.add("start", walk.start ? *walk.start : Json::verbatim("null"));
     if (walk.table) object.add("table", *walk.table);
@@ -95,7 +95,7 @@ std::string page_json(const Recording& recording) {
 
 void shorten(Recording& recording, std::size_t most, std::size_t least) {
     std::vector<std::size_t> lengths;
-    for (const Walk& walk : recording.walks)
+    for (const RecordedWalk& walk : recording.walks)
         lengths.push_back(walk.steps.size());
     std::sort(lengths.begin(), lengths.end());
     // What the shorter ones leave is shared among the longer ones.
@@ -106,7 +106,7 @@ void shorten(Recording& recording, std::size_t most, std::size_t least) {
         left -= lengths[k];
     }
     longest = std::max(longest, least);
-    for (Walk& walk : recording.walks) {
+    for (RecordedWalk& walk : recording.walks) {
         if (walk.steps.size() <= longest) continue;
         for (std::size_t k = longest; k < walk.steps.size(); ++k)
             if (walk.steps[k].i >= 0) ++walk.skipped;

@@ -46,7 +46,7 @@ struct Step {
 };
 
 /// A call and what it did until it returned or was stopped.
-struct Walk {
+struct RecordedWalk {
     std::size_t source = 0;                 ///< which of Recording::sources
     std::string call;                       ///< "face_sides(he, 4)"
     std::optional<int> start;               ///< of which it is a walk
@@ -75,7 +75,7 @@ struct Recording {
     IndexedMesh mesh;
     std::vector<Row> table;
     std::vector<RecordedSource> sources;
-    std::vector<Walk> walks;
+    std::vector<RecordedWalk> walks;
     /// What the person who records should know; not part of the page.
     std::vector<std::string> notes;
 };

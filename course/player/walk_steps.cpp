@@ -388,9 +388,10 @@ std::vector<std::vector<LineReached>> read_lines_reached(
     return walks;
 }
 
-Walk decode_call(std::string_view bytes, const std::vector<Row>& table,
-                 std::string_view source, const std::string& function,
-                 const std::vector<LineReached>& lines, std::size_t most) {
+RecordedWalk decode_call(std::string_view bytes, const std::vector<Row>& table,
+                         std::string_view source, const std::string& function,
+                         const std::vector<LineReached>& lines,
+                         std::size_t most) {
     auto call = decode<RecordedCall>(bytes);
     for (const TraceEvent& event : call.events) require_sound(event);
     // What comes after the lines that were kept has variables of before.
@@ -400,7 +401,7 @@ Walk decode_call(std::string_view bytes, const std::vector<Row>& table,
     const StepsByEvent traced =
         steps_by_event(call.events, table_of(table), source);
     const Shown shown(call.events, table);
-    Walk walk;
+    RecordedWalk walk;
     if (shown.rows() != table) walk.table = shown.rows();
     walk.steps = merge(call.events, traced, shown, lines, Merged(function));
     walk.skipped = static_cast<std::size_t>(call.size) - call.events.size();

@@ -32,8 +32,9 @@ std::vector<std::vector<LineReached>> read_lines_reached(std::string_view text);
 /// text of the file and `function` the exercise's. At most `most` steps are
 /// kept. Throws CodecError when the bytes are none, or name what cannot be:
 /// they come from the process of the submission.
-Walk decode_call(std::string_view bytes, const std::vector<Row>& table,
-                 std::string_view source, const std::string& function,
-                 const std::vector<LineReached>& lines, std::size_t most);
+RecordedWalk decode_call(std::string_view bytes, const std::vector<Row>& table,
+                         std::string_view source, const std::string& function,
+                         const std::vector<LineReached>& lines,
+                         std::size_t most);
 
 }  // namespace course

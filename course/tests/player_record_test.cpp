@@ -44,8 +44,8 @@ public:
     }
 
     /// The walk from a half-edge, of the last source.
-    Walk walk(int start, bool locals = false,
-              const std::string& compiler = "") const {
+    RecordedWalk walk(int start, bool locals = false,
+                      const std::string& compiler = "") const {
         RecordOptions options;
         options.starts = {start};
         options.locals = locals;
@@ -90,14 +90,14 @@ std::string text_of(const Step& step) {
     return step.function.empty() ? text : step.function + " " + text;
 }
 
-std::vector<std::string> texts_of(const Walk& walk) {
+std::vector<std::string> texts_of(const RecordedWalk& walk) {
     std::vector<std::string> texts;
     for (const Step& step : walk.steps) texts.push_back(text_of(step));
     return texts;
 }
 
 /// What is read and written alone, as it is without gdb.
-std::vector<std::string> uses_of(const Walk& walk) {
+std::vector<std::string> uses_of(const RecordedWalk& walk) {
     std::vector<std::string> texts;
     for (Step step : walk.steps) {
         if (step.i < 0) continue;
@@ -109,7 +109,7 @@ std::vector<std::string> uses_of(const Walk& walk) {
 }
 
 /// The values that a variable is seen to get, one after the other.
-std::vector<std::string> values_of(const Walk& walk,
+std::vector<std::string> values_of(const RecordedWalk& walk,
                                    const std::string& variable) {
     std::vector<std::string> values;
     for (const Step& step : walk.steps)
@@ -123,7 +123,8 @@ bool contains(const std::string& text, const std::string& part) {
 }
 
 /// The table after all steps; fails where a step does not fit the one before.
-std::vector<Row> replayed(const Recording& recording, const Walk& walk) {
+std::vector<Row> replayed(const Recording& recording,
+                          const RecordedWalk& walk) {
     std::vector<Row> rows = walk.table ? *walk.table : recording.table;
     for (const Step& step : walk.steps) {
         const auto i = static_cast<std::size_t>(step.i);
@@ -184,7 +185,7 @@ TEST_CASE("a walk is its reads, in order, with line, column and value") {
     REQUIRE(recording.walks.size() == 32);
     CHECK(recording.start_kind == "half-edge");
     CHECK(recording.sources[1].first == 3);
-    const Walk& walk = recording.walks[16 + 4];
+    const RecordedWalk& walk = recording.walks[16 + 4];
     CHECK(walk.call == "face_sides(he, 4)");
     CHECK(walk.start == 4);
     CHECK(walk.result == "4");
@@ -199,14 +200,14 @@ TEST_CASE("a walk is its reads, in order, with line, column and value") {
 
 TEST_CASE("lines and local variables fit in between") {
     if (no_gdb()) return;
-    const Walk walk = Written(good_body).walk(1, true);
+    const RecordedWalk walk = Written(good_body).walk(1, true);
     CHECK(texts_of(walk) ==
           std::vector<std::string>{"4 i=1 sides=0 start=1", "5: he[1].fi = 0",
                                    "7 sides=1", "8: he[1].next = 3 i=3", "9",
                                    "7 sides=2", "8: he[3].next = 5 i=5", "9",
                                    "7 sides=3", "8: he[5].next = 1 i=1", "9",
                                    "10"});
-    const Walk star = recorded("vertex_star", true).walks[4];
+    const RecordedWalk star = recorded("vertex_star", true).walks[4];
     const auto texts = texts_of(star);
     CHECK(std::count_if(texts.begin(), texts.end(), [](const auto& text) {
               return contains(text, "star=[2,0]") ||
@@ -238,7 +239,7 @@ TEST_CASE("a variable is shown from when it has a value") {
         "    return sum;\n");
     const std::string compiler = GENERATE("g++", "clang++");
     if (!has_program(compiler)) return;
-    const Walk walk = file.walk(4, true, compiler);
+    const RecordedWalk walk = file.walk(4, true, compiler);
     const auto twice = [](const std::string& value) {
         return std::vector<std::string>{value, value};
     };
@@ -260,15 +261,15 @@ TEST_CASE("a variable is shown from when it has a value") {
 
 TEST_CASE("a shadowed variable is told from the one that it hides") {
     if (no_gdb()) return;
-    const Walk walk = Written(
-                          "    int sides = 0, start = i;\n"
-                          "    do {\n"
-                          "        ++sides;\n"
-                          "        int i = he[start].next;\n"  // 7
-                          "        if (i == 0) break;\n"
-                          "    } while (i != start);\n"
-                          "    return sides;\n")
-                          .walk(4, true);
+    const RecordedWalk walk = Written(
+                                  "    int sides = 0, start = i;\n"
+                                  "    do {\n"
+                                  "        ++sides;\n"
+                                  "        int i = he[start].next;\n"  // 7
+                                  "        if (i == 0) break;\n"
+                                  "    } while (i != start);\n"
+                                  "    return sides;\n")
+                                  .walk(4, true);
     const auto texts = texts_of(walk);
     CHECK(std::count(texts.begin(), texts.end(),
                      "7: he[4].next = 11 i (line 7)=11") == 1);
@@ -276,14 +277,14 @@ TEST_CASE("a shadowed variable is told from the one that it hides") {
 
 TEST_CASE("what the last line of a block does to its variables is shown") {
     if (no_gdb()) return;
-    const Walk walk = Written(
-                          "    int start = i;\n"
-                          "    do {\n"
-                          "        int i = he[start].opp;\n"  // 6
-                          "        i = he[i].next;\n"
-                          "    } while (i != start);\n"
-                          "    return i;\n")
-                          .walk(4, true);
+    const RecordedWalk walk = Written(
+                                  "    int start = i;\n"
+                                  "    do {\n"
+                                  "        int i = he[start].opp;\n"  // 6
+                                  "        i = he[i].next;\n"
+                                  "    } while (i != start);\n"
+                                  "    return i;\n")
+                                  .walk(4, true);
     // Where the block ends then, compilers see in different ways.
     auto texts = texts_of(walk);
     REQUIRE(texts.size() == 5);
@@ -308,7 +309,7 @@ TEST_CASE("variables are those of the call that a step belongs to") {
         "}\n");
     const std::string compiler = GENERATE("g++", "clang++");
     if (!has_program(compiler)) return;
-    const Walk walk = file.walk(4, true, compiler);
+    const RecordedWalk walk = file.walk(4, true, compiler);
     CHECK(texts_of(walk) == std::vector<std::string>{
                                 "11 i=4", "next_of 4: he[4].next = 11 i=4 n=11",
                                 "5", "4: he[11].next = 15 i=11 n=15", "5",
@@ -323,11 +324,11 @@ TEST_CASE("variables are those of the call that a step belongs to") {
 
 TEST_CASE("each call of a function that calls itself has its variables") {
     if (no_gdb()) return;
-    const Walk walk = Written(
-                          "    if (he[i].next == 4) return 1;\n"
-                          "    return face_sides(he, he[i].next) +\n"
-                          "           (he[i].vi >= 0 ? 1 : 0);\n")
-                          .walk(4, true);
+    const RecordedWalk walk = Written(
+                                  "    if (he[i].next == 4) return 1;\n"
+                                  "    return face_sides(he, he[i].next) +\n"
+                                  "           (he[i].vi >= 0 ? 1 : 0);\n")
+                                  .walk(4, true);
     CHECK(walk.result == "4");
     std::vector<std::string> i_of_calls(1);
     std::vector<int> depths;
@@ -345,7 +346,8 @@ TEST_CASE("each call of a function that calls itself has its variables") {
 
 TEST_CASE("where lines are no longer recorded, the walk is cut") {
     if (no_gdb()) return;
-    const Walk walk = Written("    for (;;) i = he[i].next;\n").walk(4, true);
+    const RecordedWalk walk =
+        Written("    for (;;) i = he[i].next;\n").walk(4, true);
     int i = 0;
     for (const Step& step : walk.steps) {
         for (const auto& [name, value] : step.locals)
@@ -361,7 +363,7 @@ TEST_CASE("helper functions are named, and calls that return are") {
     const Recording recording = recorded("flip_edge", true);
     const auto edited =
         std::find_if(recording.walks.begin(), recording.walks.end(),
-                     [](const Walk& w) { return !w.result.empty(); });
+                     [](const RecordedWalk& w) { return !w.result.empty(); });
     REQUIRE(edited != recording.walks.end());
     std::vector<std::string> functions;
     for (const Step& step : edited->steps)
@@ -397,7 +399,7 @@ TEST_CASE("the steps of an edit lead from the table to the result") {
         INFO(exercise);
         const Recording recording = recorded(exercise);
         int results = 0;
-        for (const Walk& walk : recording.walks) {
+        for (const RecordedWalk& walk : recording.walks) {
             if (walk.result.empty()) continue;
             ++results;
             CHECK(json_of(replayed(recording, walk)) == walk.result);
@@ -415,7 +417,7 @@ TEST_CASE("of several tables the one that was written last is shown") {
         "    edited[2].vi = 9;\n"  // 8
         "    return k + he[0].vi + he[1].vi;\n");
     const Recording recording = file.recording(4);
-    const Walk& walk = recording.walks.back();
+    const RecordedWalk& walk = recording.walks.back();
     const std::vector<Row> rows = replayed(recording, walk);
     CHECK(rows[0][0] == 7);
     CHECK(rows[2][0] == 9);
@@ -432,7 +434,7 @@ TEST_CASE("an endless walk is recorded up to its budget, in a small page") {
             "    for (;;) { ++sides; i = he[i].next; }\n"
             "    return sides;\n")
             .recording(std::nullopt, true);
-    const Walk& walk = recording.walks.back();
+    const RecordedWalk& walk = recording.walks.back();
     CHECK(contains(walk.error, "the walk does not end"));
     CHECK(walk.result.empty());
     CHECK(walk.expected == "4");
@@ -464,7 +466,8 @@ TEST_CASE("the size of a large mesh takes no steps from its walks") {
 }
 
 TEST_CASE("what does not exist ends the walk with the checker's message") {
-    const Walk walk = Written("    return he[he[i].fi].next;\n").walk(2);
+    const RecordedWalk walk =
+        Written("    return he[he[i].fi].next;\n").walk(2);
     CHECK(texts_of(walk) == std::vector<std::string>{"4: he[2].fi = -1"});
     CHECK(contains(walk.error, "he[-1] does not exist"));
     CHECK(contains(walk.error, "on the border"));
@@ -489,7 +492,8 @@ TEST_CASE("exceptions, crashes and endless loops keep what came before") {
         INFO(bad.body);
         // A budget of reads would end the recursion first.
         const bool recursion = contains(bad.body, "face_sides");
-        const Walk walk = Written(begin + bad.body + "    return k;\n").walk(4);
+        const RecordedWalk walk =
+            Written(begin + bad.body + "    return k;\n").walk(4);
         INFO(walk.error);
         CHECK((contains(walk.error, bad.words) ||
                (recursion && contains(walk.error, "does not end"))));
@@ -510,11 +514,11 @@ TEST_CASE("a call that ends the whole program costs no other call") {
 }
 
 TEST_CASE("what is printed stays out of the recording") {
-    const Walk walk = Written(
-                          "    for (int k = 0; k < 300000; ++k)\n"
-                          "        __builtin_puts(\"much output\");\n"
-                          "    return he[i].next;\n")
-                          .walk(4);
+    const RecordedWalk walk = Written(
+                                  "    for (int k = 0; k < 300000; ++k)\n"
+                                  "        __builtin_puts(\"much output\");\n"
+                                  "    return he[i].next;\n")
+                                  .walk(4);
     CHECK(walk.result == "11");
 }
 
@@ -554,5 +558,6 @@ TEST_CASE("a mesh of one's own is walked, from vertices where it is asked") {
     CHECK(recording.start_kind == "vertex");
     CHECK(recording.mesh_name == "cube");
     REQUIRE(recording.walks.size() == 8);
-    for (const Walk& walk : recording.walks) CHECK(walk.steps.size() == 6);
+    for (const RecordedWalk& walk : recording.walks)
+        CHECK(walk.steps.size() == 6);
 }

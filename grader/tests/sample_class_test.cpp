@@ -18,6 +18,7 @@
 #include "grader/gradebook/gradebook.h"
 #include "grader/report/class_results.h"
 #include "grader/tests/golden.h"
+#include "grader/tests/process_stat.h"
 
 using namespace grader;
 using namespace grader::tests;
@@ -58,31 +59,16 @@ struct Child {
     auto operator<=>(const Child&) const = default;
 };
 
-/// What a line of /proc/N/stat says, if the process is a child of ours.
-std::optional<Child> child_of(const std::string& stat) {
-    const auto begin = stat.find('('), end = stat.rfind(')');
-    if (end == stat.npos) return std::nullopt;
-    std::istringstream rest(stat.substr(end + 1));
-    std::string state, ignored;
-    pid_t parent = 0;
-    rest >> state >> parent;
-    for (int field = 5; field < 22; ++field) rest >> ignored;
-    Child child{0, std::stoi(stat), stat.substr(begin + 1, end - begin - 1),
-                state == "Z"};
-    rest >> child.started;
-    return parent == getpid() ? std::optional(child) : std::nullopt;
-}
-
 /// The children of this process, oldest first.
 std::vector<Child> children() {
     std::vector<Child> found;
     for (const auto& entry : fs::directory_iterator("/proc")) {
         const std::string number = entry.path().filename().string();
         if (number.find_first_not_of("0123456789") != number.npos) continue;
-        std::string line;  // stays empty when the process has gone meanwhile
-        std::ifstream file(entry.path() / "stat");
-        std::getline(file, line);
-        if (auto child = child_of(line)) found.push_back(*child);
+        const auto stat = process_stat(entry.path());
+        if (stat && stat->parent == getpid())
+            found.push_back({stat->started, std::stoi(number), stat->name,
+                             stat->state == 'Z'});
     }
     std::sort(found.begin(), found.end());
     return found;

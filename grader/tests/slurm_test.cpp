@@ -22,6 +22,7 @@
 #include "grader/pipeline/slurm_executor.h"
 #include "grader/tests/golden.h"
 #include "grader/tests/grader_program.h"
+#include "grader/tests/process_stat.h"
 
 namespace fs = std::filesystem;
 
@@ -657,23 +658,12 @@ void wait_until(const std::function<bool()>& holds) {
 }
 
 /// Nothing of a process that ended in between.
-std::string of_process(const fs::path& process, const char* file) {
+std::string command_line(const fs::path& process) {
     try {
-        return file_contents(process / file);
+        return file_contents(process / "cmdline");
     } catch (const std::ios_base::failure&) {
         return "";
     }
-}
-
-/// What /proc/N/stat names after the command, which may hold anything.
-pid_t parent_of(const fs::path& process) {
-    const std::string stat = of_process(process, "stat");
-    std::istringstream rest(
-        stat.substr(std::min(stat.rfind(')'), stat.size())));
-    std::string bracket, state;
-    pid_t parent = 0;
-    rest >> bracket >> state >> parent;
-    return parent;
 }
 
 /// Graders on this machine with that subcommand and something below `out`; not
@@ -681,13 +671,14 @@ pid_t parent_of(const fs::path& process) {
 std::vector<pid_t> graders(const std::string& subcommand, const fs::path& out) {
     std::map<pid_t, pid_t> parents;
     for (const auto& entry : fs::directory_iterator("/proc")) {
-        const std::string line = of_process(entry.path(), "cmdline");
+        const std::string line = command_line(entry.path());
         const std::string begin =
             (course::build_root() / "grader/grader").string() + '\0' +
             subcommand + '\0';
-        if (line.rfind(begin, 0) == 0 && contains(line, out.string()))
-            parents[std::stoi(entry.path().filename())] =
-                parent_of(entry.path());
+        if (line.rfind(begin, 0) != 0 || !contains(line, out.string()))
+            continue;
+        if (const auto stat = process_stat(entry.path()))
+            parents[std::stoi(entry.path().filename())] = stat->parent;
     }
     std::vector<pid_t> found;
     for (const auto& [process, parent] : parents)

@@ -355,7 +355,7 @@ private:
         rows.resize(n / 2 + 1);
         bytes_ = reinterpret_cast<std::byte*>(rows.data());
         lay_out(mesh, ends);
-        before_ = large_vector(n, int{is_first});
+        before_ = large_vector(n, is_first);
         std::vector<int> last = large_vector(mesh.positions.size(), -1);
         int begin = 0;
         for (std::size_t v = 0; v < mesh.positions.size(); ++v) {

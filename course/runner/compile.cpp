@@ -8,6 +8,7 @@
 #include <functional>
 #include <set>
 #include <sstream>
+#include <utility>
 
 #include "course/runner/platform.h"
 
@@ -17,9 +18,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* preludes[] = {"course/runner/prelude.h",
-                                    "course/runner/prelude_text.h",
-                                    "course/runner/prelude_full.h"};
+constexpr const char* preludes[] = {
+    "course/runner/prelude.h", "course/runner/prelude_text.h",
+    "course/runner/prelude_streams.h", "course/runner/prelude_full.h"};
 
 using Headers = std::set<std::string, std::less<>>;
 
@@ -73,14 +74,15 @@ Prelude prelude_for(std::string_view source) {
         return standard_headers(
             read_file(include / preludes[static_cast<int>(prelude)]), include);
     };
-    static const Headers lean = headers_in(Prelude::lean);
-    static const Headers text = headers_in(Prelude::text);
+    static const std::pair<Prelude, Headers> small[] = {
+        {Prelude::lean, headers_in(Prelude::lean)},
+        {Prelude::text, headers_in(Prelude::text)},
+        {Prelude::streams, headers_in(Prelude::streams)}};
     const Headers used = standard_headers(source, include);
-    const auto is_in = [&](const Headers& all) {
-        return std::includes(all.begin(), all.end(), used.begin(), used.end());
-    };
-    if (is_in(lean)) return Prelude::lean;
-    return is_in(text) ? Prelude::text : Prelude::full;
+    for (const auto& [prelude, all] : small)
+        if (std::includes(all.begin(), all.end(), used.begin(), used.end()))
+            return prelude;
+    return Prelude::full;
 }
 
 std::vector<std::string> compile_arguments(const std::string& source,

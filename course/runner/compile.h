@@ -35,8 +35,8 @@ std::filesystem::path walk_entry_object(const Exercise& exercise);
 std::vector<std::filesystem::path> own_sources_before(const Exercise& exercise);
 
 /// What is compiled already when a submission begins: prelude.h,
-/// prelude_text.h or prelude_full.h.
-enum class Prelude { lean, text, full };
+/// prelude_text.h, prelude_streams.h or prelude_full.h.
+enum class Prelude { lean, text, streams, full };
 
 /// The first prelude that has all headers which this text and the contracts
 /// that it includes need. Names may still be used that only `full` declares:

@@ -49,13 +49,16 @@ public:
     ControlGroup(const ControlGroup&) = delete;
     ControlGroup& operator=(const ControlGroup&) = delete;
 
-    /// A process joins by writing its number to each of these.
-    std::vector<std::filesystem::path> members() const;
+    /// A process of one thread joins by writing "0" to each of these.
+    const std::vector<std::filesystem::path>& members() const {
+        return members_;
+    }
 
 private:
     ControlGroup() = default;
 
     std::vector<std::filesystem::path> folders_;
+    std::vector<std::filesystem::path> members_;
 };
 
 }  // namespace grader

@@ -297,7 +297,7 @@ CaseResult& result_named(std::vector<CaseResult>& all,
 }
 
 /// All cases, once for each seed as long as there is something to lose. Those
-/// on a large mesh once: nobody answers thousands of calls by chance.
+/// on a large mesh once, and those tagged so because they measure the cost.
 std::vector<CaseResult> results_of_all(
     Catch::Session& session, const std::vector<std::uint64_t>& seeds) {
     std::vector<CaseResult> all;
@@ -313,7 +313,7 @@ std::vector<CaseResult> results_of_all(
         for (CaseResult& now : the_results)
             take_worse(result_named(all, now.info.name), now);
         if (std::none_of(all.begin(), all.end(), is_passed)) break;
-        session.configData().testsOrTags = {"~[large]"};
+        session.configData().testsOrTags = {"~[large]~[once]"};
         session.useConfigData(session.configData());
     }
     return all;

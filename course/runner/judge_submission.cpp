@@ -35,12 +35,9 @@ ExerciseResult judge_function(Workplace& workplace, JudgeRun run,
                                         control.second, complaints);
     control.second.reset();
     run.control = std::move(control.first);
+    run.processor = workplace.processor();
     RunningJudge judge(run);
     run.control.reset();
-    if (const auto processor = workplace.processor()) {
-        launcher.keep_on(*processor);
-        judge.keep_on(*processor);
-    }
     const Compiled compiled = workplace.compile(run.exercise, source, shared);
     if (compiled.verdict != Verdict::accepted) {
         ExerciseResult result = judge.instead(compiled.verdict);

@@ -67,6 +67,35 @@ private:
     std::vector<Descriptor> copies_;
 };
 
+/// Keeps this thread on a processor for as long as it lives: what is started in
+/// that time stays there.
+class OnProcessor {
+public:
+    explicit OnProcessor([[maybe_unused]] std::optional<int> processor) {
+#if COURSE_LINUX
+        if (!processor || ::sched_getaffinity(0, sizeof usual_, &usual_) != 0)
+            return;
+        cpu_set_t one;
+        CPU_ZERO(&one);
+        CPU_SET(static_cast<std::size_t>(*processor), &one);
+        kept_ = ::sched_setaffinity(0, sizeof one, &one) == 0;
+#endif
+    }
+    OnProcessor(const OnProcessor&) = delete;
+    OnProcessor& operator=(const OnProcessor&) = delete;
+    ~OnProcessor() {
+#if COURSE_LINUX
+        if (kept_) ::sched_setaffinity(0, sizeof usual_, &usual_);
+#endif
+    }
+
+private:
+#if COURSE_LINUX
+    cpu_set_t usual_{};
+    bool kept_ = false;
+#endif
+};
+
 /// Head and tail of what a program printed.
 class Capture {
 public:
@@ -183,6 +212,7 @@ Process::Process(const Command& command) {
     ::posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK |
                                                 POSIX_SPAWN_SETSIGDEF |
                                                 POSIX_SPAWN_SETSID);
+    const OnProcessor here(command.processor);
     const int error =
         ::posix_spawnp(&pid_, command.arguments.at(0).c_str(), actions.get(),
                        &attributes, pointers(command.arguments).data(),
@@ -214,15 +244,6 @@ int Process::wait() {
 void Process::forget() {
     if (pid_ > 0) tell_warden(-pid_);
     pid_ = -1;
-}
-
-void Process::keep_on([[maybe_unused]] int processor) {
-#if COURSE_LINUX
-    cpu_set_t one;
-    CPU_ZERO(&one);
-    CPU_SET(static_cast<std::size_t>(processor), &one);
-    if (pid_ > 0) ::sched_setaffinity(pid_, sizeof one, &one);
-#endif
 }
 
 void Process::kill() {

@@ -5,6 +5,7 @@
 #include <sys/types.h>
 
 #include <chrono>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -20,6 +21,9 @@ struct Command {
     /// Ours and the number that it gets there. Those of 0, 1 and 2 that are not
     /// named are /dev/null; no other descriptor is passed on.
     std::vector<std::pair<int, int>> descriptors;
+    /// Where it runs, and all that it starts; where that cannot be had, nothing
+    /// changes.
+    std::optional<int> processor = std::nullopt;
 };
 
 /// PATH and the locale of this process: enough for compilers.
@@ -36,10 +40,6 @@ public:
 
     /// Waits for the end; the status as from waitpid.
     int wait();
-
-    /// Runs it, and all that it starts from now on, on that processor only;
-    /// where that cannot be had, nothing changes.
-    void keep_on(int processor);
 
     /// Ends it at once; harmless when it has ended.
     void kill();

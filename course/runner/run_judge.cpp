@@ -85,6 +85,7 @@ RunningJudge::RunningJudge(const JudgeRun& run)
         command.arguments.end(),
         {"--results", std::to_string(results), "--go", std::to_string(go)});
     command.environment = plain_environment();
+    command.processor = run.processor;
     command.descriptors = {{complaints_.get(), 2},
                            {report.second.get(), results},
                            {start.first.get(), go}};

@@ -36,6 +36,8 @@ struct JudgeRun {
     Descriptor control;
     /// The submitted file of a data exercise.
     std::filesystem::path submitted;
+    /// As in Command.
+    std::optional<int> processor = std::nullopt;
 };
 
 /// A judge that has been started. It makes ready what takes long, says which
@@ -53,8 +55,6 @@ public:
     /// All its cases, not run, with this verdict: for a submission that never
     /// gets as far as the judge. Throws SystemError.
     ExerciseResult instead(Verdict verdict);
-
-    void keep_on(int processor) { process_->keep_on(processor); }
 
 private:
     ExerciseResult report(std::chrono::milliseconds most);

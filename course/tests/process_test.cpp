@@ -4,6 +4,8 @@
 
 #include <chrono>
 #include <csignal>
+#include <optional>
+#include <string>
 #include <thread>
 
 #include "course/runner/catch2.h"
@@ -58,6 +60,25 @@ TEST_CASE("programs end with a process that is killed, alone or its group") {
     REQUIRE(read_all(ready.first.get(), &byte, 1));
     ::kill(whole_group ? -starter : starter, SIGKILL);
     CHECK(all_are_gone());
+}
+
+TEST_CASE("a command runs where it is told to, and all that it starts") {
+    const auto allowed = [](std::optional<int> processor) {
+        Command command;
+        command.arguments = {
+            "sh", "-c", "sh -c 'grep Cpus_allowed_list /proc/self/status'"};
+        command.environment = plain_environment();
+        command.processor = processor;
+        const std::string text =
+            run(command, milliseconds(10'000), 4096).output;
+        return text.substr(text.find('\t') + 1);
+    };
+    const std::string before = allowed(std::nullopt);
+    const int first = std::stoi(before);
+    CHECK(allowed(first) == std::to_string(first) + "\n");
+    CHECK(allowed(std::nullopt) == before);
+    constexpr int no_such = 1000;
+    CHECK(allowed(no_such) == before);
 }
 
 TEST_CASE("a process that ends by itself leaves nobody waiting") {

@@ -523,6 +523,7 @@ course::Process Sandbox::launch(const fs::path& shared,
                            {control.get(), 3},
                            {strict.get(), 4},
                            {filter.get(), 9}};
+    command.processor = processor();
     enter(command, "run", running(limits), group_);
     return course::Process(command);
 }

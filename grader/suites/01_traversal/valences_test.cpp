@@ -82,7 +82,7 @@ TEST_CASE("renumbered and generated meshes", "[points:1]") {
                         [](const Fixture& fixture) { check(fixture); });
 }
 
-TEST_CASE("the cost grows no faster than the mesh", "[points:1]") {
+TEST_CASE("the cost grows no faster than the mesh", "[points:1][once]") {
     hint("How often do you look at each row of the table?");
     constexpr int n = 60;
     const IndexedMesh mesh = grid(n, n);

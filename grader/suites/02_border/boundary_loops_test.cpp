@@ -83,7 +83,8 @@ TEST_CASE("generated meshes", "[points:1]") {
     on_generated_meshes(hidden::generated_borders(), check_loops);
 }
 
-TEST_CASE("the cost grows with the table, not with its square", "[points:1]") {
+TEST_CASE("the cost grows with the table, not with its square",
+          "[points:1][once]") {
     hint("How do you know, without walking again, that a loop was walked?");
     constexpr int sides = 2000;
     const HalfEdgeTable he = polygon(sides);

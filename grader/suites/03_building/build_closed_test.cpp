@@ -80,7 +80,7 @@ TEST_CASE("generated meshes", "[points:2]") {
         check_ways(fixture, ++salt);
 }
 
-TEST_CASE("a large mesh", "[points:1]") {
+TEST_CASE("a large mesh", "[points:1][once]") {
     hint("How long does it take to find one opposite?");
     const Fixture large = hidden::put_in_another_order(
         hidden::of_mesh("large torus", torus(110, 100)), 5);

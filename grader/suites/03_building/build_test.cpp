@@ -228,7 +228,7 @@ TEST_CASE("loose edges that are none are refused", "[points:1]") {
     check_build(with_loose(slide, {{6, 7}, {7, 8}, {3, 4}}));
 }
 
-TEST_CASE("a large mesh", "[points:1]") {
+TEST_CASE("a large mesh", "[points:1][once]") {
     hint("How long does it take to find one opposite, or one next?");
     const Fixture large = hidden::put_in_another_order(
         hidden::of_mesh("large grid", grid(90, 100)), 5);

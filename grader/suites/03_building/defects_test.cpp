@@ -357,7 +357,7 @@ TEST_CASE("generated meshes, sound and spoilt", "[points:2]") {
     }
 }
 
-TEST_CASE("a large mesh", "[points:1]") {
+TEST_CASE("a large mesh", "[points:1][once]") {
     hint("How do you find the faces of an edge, and the edges of a vertex?");
     Fixture large = hidden::put_in_another_order(
         hidden::of_mesh("large grid", grid(110, 90)), 5);

@@ -142,7 +142,7 @@ TEST_CASE("large vertex numbers", "[points:1]") {
                                              {99'999, 100'000, 0}}));
 }
 
-TEST_CASE("a large mesh", "[points:1]") {
+TEST_CASE("a large mesh", "[points:1][once]") {
     hint("How often do you look at each edge that you have already?");
     constexpr int n = 100;
     Edges expected;

@@ -99,7 +99,8 @@ TEST_CASE("renumbered and generated meshes", "[points:2]") {
         for (const Fixture& fixture : fixtures) check_components(fixture);
 }
 
-TEST_CASE("the cost grows with the table, not with its square", "[points:1]") {
+TEST_CASE("the cost grows with the table, not with its square",
+          "[points:1][once]") {
     hint("How often do you look at a half-edge that was looked at before?");
     const Fixture strip = renumbered(hidden::with_table_built(
         "long strip", hidden::side_by_side({hidden::triangle_strip(2500),

@@ -128,7 +128,8 @@ TEST_CASE("generated meshes", "[points:2]") {
         check_counts(fixture);
 }
 
-TEST_CASE("the cost grows with the table, not with its square", "[points:1]") {
+TEST_CASE("the cost grows with the table, not with its square",
+          "[points:1][once]") {
     hint("How do you know, without walking again, that a loop was walked?");
     for (const Measured& large : {polygon(3000), triangles(1000)}) {
         const ReadBudget budget(large.he, 32 * std::int64_t{large.he.size()});

@@ -140,7 +140,7 @@ TEST_CASE("generated meshes, some faces turned over", "[points:2]") {
 }
 
 TEST_CASE("a large mesh, and the same with one face turned over",
-          "[points:1]") {
+          "[points:1][once]") {
     hint("How many sides is each side compared with?");
     const Fixture large =
         hidden::shuffled(hidden::face_list_only("grid", grid(70, 60)), 11);

@@ -196,7 +196,7 @@ TEST_CASE("generated meshes, some of them with two vertices merged",
     }
 }
 
-TEST_CASE("a mesh of many faces", "[points:1]") {
+TEST_CASE("a mesh of many faces", "[points:1][once]") {
     hint("How many faces is each face compared with?");
     const Fixture large = hidden::face_list_only("grid", grid(40, 40));
     CHECK(is_manifold(hidden::shuffled(large, 5).mesh));
@@ -205,7 +205,7 @@ TEST_CASE("a mesh of many faces", "[points:1]") {
         hidden::shuffled(hidden::merged(large, inside, far), 6).mesh));
 }
 
-TEST_CASE("a vertex of many faces", "[points:1]") {
+TEST_CASE("a vertex of many faces", "[points:1][once]") {
     hint("How many faces at the vertex is each of them compared with?");
     CHECK(
         is_manifold(hidden::shuffled(faces_only("hub", hub(6000, 0)), 7).mesh));

@@ -240,7 +240,7 @@ TEST_CASE("generated meshes, some faces turned over", "[points:2]") {
     }
 }
 
-TEST_CASE("a large mesh", "[points:1]") {
+TEST_CASE("a large mesh", "[points:1][once]") {
     hint("How do you find the neighbours of a face, and how often?");
     check_orientable(
         hidden::shuffled(some_flipped(face_list("grid", grid(55, 50)), 3), 4));

@@ -207,7 +207,7 @@ TEST_CASE("renumbered and generated meshes", "[points:1]") {
     }
 }
 
-TEST_CASE("the cost grows hardly faster than the mesh", "[points:1]") {
+TEST_CASE("the cost grows hardly faster than the mesh", "[points:1][once]") {
     hint("How do you find out whether an edge has a number already?");
     constexpr int n = 75;
     const IndexedMesh mesh = grid(n, n);

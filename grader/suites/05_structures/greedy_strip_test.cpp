@@ -176,7 +176,7 @@ TEST_CASE("renumbered and generated meshes", "[points:1]") {
     check(built("icosphere", icosphere(2), salt), Asked::all);
 }
 
-TEST_CASE("a few reads for each triangle of the strip", "[points:1]") {
+TEST_CASE("a few reads for each triangle of the strip", "[points:1][once]") {
     hint("How much of the table must you look at for a strip of n triangles?");
     for (const Fixture& fixture :
          {built("grid", grid(30, 30, Cells::triangles), 20),

@@ -260,7 +260,7 @@ TEST_CASE("the line of a defect among comments and blank lines", "[points:2]") {
     }
 }
 
-TEST_CASE("a large file", "[points:1]") {
+TEST_CASE("a large file", "[points:1][once]") {
     hint("How often is the whole text, or the mesh so far, looked through?");
     const IndexedMesh mesh =
         hidden::with_awkward_positions(grid(120, 120, Cells::triangles), 300);

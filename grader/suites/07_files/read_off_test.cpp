@@ -268,7 +268,7 @@ TEST_CASE("counts that promise more than there is", "[points:1]") {
     CHECK(refused_at(with_face("2000000000 0 1 2")) == 7);
 }
 
-TEST_CASE("a large file", "[points:1]") {
+TEST_CASE("a large file", "[points:1][once]") {
     hint("How often is the whole text copied while you read it?");
     const IndexedMesh mesh =
         hidden::with_awkward_positions(grid(120, 120, Cells::triangles), 300);

@@ -47,7 +47,8 @@ TEST_CASE("coordinates of all sizes, to the last bit", "[points:2]") {
     }
 }
 
-TEST_CASE("ten thousand numbers that need all their digits", "[points:1]") {
+TEST_CASE("ten thousand numbers that need all their digits",
+          "[points:1][once]") {
     hint("Are 15 or 16 digits enough for every double?");
     IndexedMesh mesh = points(std::vector<Vec3>(3500));
     CHECK(lost(hidden::with_awkward_positions(mesh, 100)) == "");
@@ -105,7 +106,7 @@ TEST_CASE("loose edges are refused, whatever else there is", "[points:1]") {
     CHECK_THROWS_AS(write_off(mesh), std::invalid_argument);
 }
 
-TEST_CASE("a large mesh", "[points:1]") {
+TEST_CASE("a large mesh", "[points:1][once]") {
     hint("How often is what you have written so far copied?");
     const IndexedMesh mesh =
         hidden::with_awkward_positions(grid(150, 150, Cells::triangles), 200);

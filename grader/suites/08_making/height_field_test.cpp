@@ -197,7 +197,7 @@ TEST_CASE("sizes that do not fit are refused", "[points:1]") {
         CHECK_THROWS_AS(height_field(grid), std::invalid_argument);
 }
 
-TEST_CASE("the cost grows no faster than the grid", "[points:1]") {
+TEST_CASE("the cost grows no faster than the grid", "[points:1][once]") {
     hint("How do you get from a point to the number of its vertex?");
     check(random_grid(80, 80, 3, 50));
 }

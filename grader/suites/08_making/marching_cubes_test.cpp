@@ -463,7 +463,7 @@ TEST_CASE("sizes that do not fit are refused", "[points:1]") {
         CHECK_THROWS_AS(marching_cubes(grid, 0), std::invalid_argument);
 }
 
-TEST_CASE("the cost grows no faster than the grid", "[points:1]") {
+TEST_CASE("the cost grows no faster than the grid", "[points:1][once]") {
     hint("How do you find the vertex of an edge that another cell has made?");
     Random random(8);
     for (int k = 0; k < 5; ++k)

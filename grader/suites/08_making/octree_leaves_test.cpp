@@ -208,7 +208,7 @@ TEST_CASE("sizes that do not fit are refused", "[points:1]") {
         CHECK_THROWS_AS(octree_leaves(grid), std::invalid_argument);
 }
 
-TEST_CASE("the cost grows little faster than the grid", "[points:1]") {
+TEST_CASE("the cost grows little faster than the grid", "[points:1][once]") {
     hint("How often is each cell looked at?");
     check(checkerboard(16));
     for (std::uint64_t salt = 60; salt < 66; ++salt) {

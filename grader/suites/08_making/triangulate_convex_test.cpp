@@ -114,7 +114,7 @@ TEST_CASE("faces with fewer than three corners are refused", "[points:1]") {
                         std::invalid_argument);
 }
 
-TEST_CASE("the cost grows no faster than the mesh", "[points:1]") {
+TEST_CASE("the cost grows no faster than the mesh", "[points:1][once]") {
     hint("What do you copy, or look through, once for each face?");
     check(grid(180, 180));
     FaceList one;

@@ -177,7 +177,7 @@ TEST_CASE("too few meridians or bands are refused", "[points:1]") {
         CHECK_THROWS_AS(uv_sphere(nu, nv), std::invalid_argument);
 }
 
-TEST_CASE("the cost grows no faster than the mesh", "[points:1]") {
+TEST_CASE("the cost grows no faster than the mesh", "[points:1][once]") {
     hint("Do you search for a vertex whose number you could work out?");
     REQUIRE_THAT(uv_sphere(70, 60), IsGlobe(70, 60));
 }

@@ -205,7 +205,7 @@ TEST_CASE("sizes that do not fit are refused", "[points:1]") {
         CHECK_THROWS_AS(voxel_surface(grid), std::invalid_argument);
 }
 
-TEST_CASE("the cost grows no faster than the grid", "[points:1]") {
+TEST_CASE("the cost grows no faster than the grid", "[points:1][once]") {
     hint("How do you find out whether a corner has a vertex already?");
     // Cells that are apart from each other have the most corners.
     VoxelGrid apart = all_empty(15, 15, 11);

@@ -243,7 +243,7 @@ TEST_CASE("nothing, points only, loose edges", "[points:1]") {
     check_clean(hidden::bridge());
 }
 
-TEST_CASE("a large mesh takes no longer than sorting it", "[points:1]") {
+TEST_CASE("a large mesh takes no longer than sorting it", "[points:1][once]") {
     hint("For one face, how many others do you compare it with?");
     constexpr int triangles = 5000;
     Fixture many = of_faces("many triangles", 3 * triangles, {});

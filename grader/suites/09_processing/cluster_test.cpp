@@ -299,7 +299,7 @@ TEST_CASE("no mesh, no face, faces of two corners", "[points:1]") {
     check_cluster(loose, 2);
 }
 
-TEST_CASE("a large mesh takes no longer than sorting it", "[points:1]") {
+TEST_CASE("a large mesh takes no longer than sorting it", "[points:1][once]") {
     hint("For one vertex, how many others do you compare it with?");
     Fixture many = unnumbered("many triangles", {});
     for (int v = 0; v < 12000; ++v) {

@@ -178,7 +178,7 @@ TEST_CASE("generated meshes, hole after hole", "[points:1]") {
     }
 }
 
-TEST_CASE("a hole of 12 000 half-edges", "[points:1]") {
+TEST_CASE("a hole of 12 000 half-edges", "[points:1][once]") {
     hint("For each half-edge of the loop: do you walk all of it again?");
     const Fixture fixture = editing::made("long strip", grid(5999, 1));
     const OnMesh on(fixture);

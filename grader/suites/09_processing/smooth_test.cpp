@@ -207,7 +207,7 @@ TEST_CASE("a negative number of steps is refused", "[points:1]") {
     CHECK_THROWS_AS(smooth({}, {}, -1, 0.5), std::invalid_argument);
 }
 
-TEST_CASE("a step is one pass over a large mesh", "[points:1]") {
+TEST_CASE("a step is one pass over a large mesh", "[points:1][once]") {
     hint("For one vertex, how much of the table do you look through?");
     const Fixture mesh = built("large grid", grid(150, 150));
     const auto got = smooth(mesh.he, mesh.mesh.positions, 3, 0.5);

@@ -427,7 +427,10 @@ Stage::Stage() {
     fs::create_directories(root() / "lanes");
     fs::copy_file(build / "grader" / "grader_worker", worker());
     fs::copy_file(build / "grader" / "grader_enter", enter());
-    fs::copy(build / "student", student(), fs::copy_options::recursive);
+    fs::create_directory(student());
+    for (const char* shown : {"include", "entries"})
+        fs::copy(build / "student" / shown, student() / shown,
+                 fs::copy_options::recursive);
     write_file(compile_filter(), grader::compile_filter());
     write_file(worker_filter(), grader::worker_filter());
     libraries_ = libraries_of(worker());

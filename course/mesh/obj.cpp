@@ -12,9 +12,10 @@
 //     one or two corners, and `l` lines when a `g` line follows;
 //   - passes over words that it does not know, such as `face`, and the first
 //     line after a byte order mark.
-// So it gets only lines of indices that hold nothing of this, by the interface
-// that counts sides as int. That one has no callback for `l` lines; they are
-// handed on as `f` lines, since the indices of both are written alike.
+// So it gets only indices that hold nothing of this, by the interface that
+// counts sides as int. That one has no callback for `l` lines; the indices of
+// both are written alike, and it gets those of many lines as one `f` line: a
+// line of its own for each took a third of the time.
 #include "course/mesh/obj.h"
 
 #include <fmt/format.h>
@@ -27,6 +28,7 @@
 #include <istream>
 #include <iterator>
 #include <span>
+#include <stdexcept>
 #include <streambuf>
 #include <string>
 #include <string_view>
@@ -76,27 +78,26 @@ bool is_blank(char c) {
     return c == ' ' || c == '\t';
 }
 
-/// Whether the line has at least so many corners, all of them `1`, `1/2`,
-/// `1//3` or `1/2/3` of at most nine digits that do not begin with 0: most
-/// lines are like that, and need no closer look.
-bool is_plain(std::string_view corners, std::size_t least) {
+/// How many corners the line has, when all of them are `1`, `1/2`, `1//3` or
+/// `1/2/3` of at most nine digits that do not begin with 0: most lines are like
+/// that, and need no closer look. -1 for any other.
+int plain_corners(std::string_view corners) {
     const char* at = corners.data();
     const char* const end = at + corners.size();
-    std::size_t count = 0;
-    for (;; ++count) {
+    for (int count = 0;; ++count) {
         while (at != end && is_blank(*at)) ++at;
-        if (at == end) return count >= least;
+        if (at == end) return count;
         for (int slashes = 0;; ++slashes) {
             const char* const first = at;
             while (at != end && *at >= '0' && *at <= '9') ++at;
             const auto digits = at - first;
             if (digits > 9 || (digits == 0 ? slashes != 1 : *first == '0'))
-                return false;
+                return -1;
             if (at == end || is_blank(*at)) {
-                if (digits == 0) return false;
+                if (digits == 0) return -1;
                 break;
             }
-            if (*at++ != '/' || slashes == 2) return false;
+            if (*at++ != '/' || slashes == 2) return -1;
         }
     }
 }
@@ -118,24 +119,26 @@ bool is_plain(std::string_view words, std::array<double, 7>& numbers) {
            std::isfinite(numbers[1]) && std::isfinite(numbers[2]);
 }
 
-/// A line that tinyobjloader sees, and what else is to be known of it.
+/// A line whose indices tinyobjloader sees, and what else is to be known of it.
 struct Statement {
     Keyword keyword = Keyword::f;
     int line = 0;
+    int corners = 0;
     /// How many of them came before it.
     int vertices = 0, textures = 0, normals = 0;
 };
 
-/// The f and l lines of a file as tinyobjloader may see them, a few thousand at
-/// a time; their callbacks ask one after the other what belongs to them. The
-/// vertices, which it would round, go into `positions` at once.
+/// The indices of f and l lines as tinyobjloader may see them, those of a few
+/// thousand lines at a time as one line; its callback asks what belongs to
+/// them. The vertices, which it would round, go into `positions` at once.
 class CheckedLines : public std::streambuf {
 public:
     CheckedLines(const std::filesystem::path& file, FileDefects& defects,
                  std::vector<Vec3>& positions)
         : lines_(file), defects_(defects), positions_(positions) {}
 
-    Statement next_statement() { return statements_.at(given_++); }
+    /// Those of the line that tinyobjloader has read last.
+    const std::vector<Statement>& statements() const { return statements_; }
 
     int textures() const { return textures_; }
     int normals() const { return normals_; }
@@ -143,11 +146,11 @@ public:
 protected:
     int_type underflow() override {
         constexpr std::size_t enough = std::size_t{1} << 15;
-        text_.clear();
+        text_ = 'f';
         statements_.clear();
-        given_ = 0;
         while (text_.size() < enough && next_line()) check();
-        if (text_.empty()) return traits_type::eof();
+        if (statements_.empty()) return traits_type::eof();
+        text_ += '\n';
         setg(text_.data(), text_.data(), text_.data() + text_.size());
         return traits_type::to_int_type(text_.front());
     }
@@ -219,27 +222,23 @@ private:
 
     void check_indices(Keyword keyword) {
         const std::string_view corners = line_.substr(1);
-        const std::size_t least = keyword == Keyword::f ? 3 : 2;
-        const std::size_t before = text_.size();
-        text_ += 'f';
-        if (is_plain(corners, least))
+        const int least = keyword == Keyword::f ? 3 : 2;
+        int n = plain_corners(corners);
+        if (n >= least)
             text_ += corners;
         else
-            check_corners(corners, keyword == Keyword::f ? "f" : "l", least);
-        text_ += '\n';
-        // Of a line without corners tinyobjloader would say nothing.
-        if (text_.size() == before + 2)
-            text_.resize(before);
-        else
-            statements_.push_back({keyword, number_,
+            n = check_corners(corners, keyword == Keyword::f ? "f" : "l",
+                              least);
+        if (n > 0)
+            statements_.push_back({keyword, number_, n,
                                    static_cast<int>(positions_.size()),
                                    textures_, normals_});
     }
 
-    void check_corners(std::string_view corners, const char* name,
-                       std::size_t least) {
+    int check_corners(std::string_view corners, const char* name, int least) {
         split(corners, words_);
-        if (words_.size() < least)
+        const int n = static_cast<int>(words_.size());
+        if (n < least)
             defects_.add(number_,
                          fmt::format("{} has {}, expected at least {}", name,
                                      counted(words_.size(), "corner"), least));
@@ -247,6 +246,7 @@ private:
             text_ += ' ';
             text_ += checked(words_[k], name, k + 1);
         }
+        return n;
     }
 
     /// What is bad goes on as index 0, which means none, so that the others of
@@ -267,7 +267,6 @@ private:
     std::string joined_;
     std::string text_;
     std::vector<Statement> statements_;
-    std::size_t given_ = 0;
     std::string_view line_;
     int number_ = 0;
     int textures_ = 0;
@@ -319,8 +318,20 @@ private:
                                       : "normals (vn)";
     }
 
+    /// Those of the lines that were given to tinyobjloader as one.
     void add_indices(std::span<const tinyobj::index_t> indices) {
-        const Statement at = lines_.next_statement();
+        for (const Statement& at : lines_.statements()) {
+            const auto n = static_cast<std::size_t>(at.corners);
+            if (n > indices.size()) break;
+            add_line(at, indices.first(n));
+            indices = indices.subspan(n);
+        }
+        if (!indices.empty())
+            throw std::logic_error("tinyobjloader found other corners");
+    }
+
+    void add_line(const Statement& at,
+                  std::span<const tinyobj::index_t> indices) {
         vertices_.clear();
         for (const tinyobj::index_t& index : indices) {
             const int corner = static_cast<int>(vertices_.size()) + 1;

@@ -1,31 +1,12 @@
 #include "course/halfedge/copies.h"
 
-#include <sys/mman.h>
-
-#include <cstdint>
 #include <map>
 #include <numeric>
 #include <utility>
 
+#include "course/halfedge/large_pages.h"
+
 namespace course {
-
-namespace {
-
-/// Pages of 2 MiB, where there are: with small ones, half of the time goes into
-/// asking for 4000 of them. Memory that is not used yet; only a wish.
-void in_huge_pages([[maybe_unused]] void* memory,
-                   [[maybe_unused]] std::size_t bytes) {
-#ifdef MADV_HUGEPAGE
-    constexpr std::size_t page = 4096;
-    const auto begin = reinterpret_cast<std::uintptr_t>(memory);
-    const std::uintptr_t first = (begin + page - 1) / page * page;
-    if (first + page < begin + bytes)
-        ::madvise(reinterpret_cast<void*>(first), begin + bytes - first,
-                  MADV_HUGEPAGE);
-#endif
-}
-
-}  // namespace
 
 MixedNumbers::Mix::Mix(std::int64_t n, std::uint64_t seed) : size(n) {
     if (size == 0) return;
@@ -58,7 +39,7 @@ HalfEdgeTable table_of(const Copies& copies) {
             half_edges.block(tile[i].next), half_edges.block(tile[i].opp)};
     std::vector<HalfEdge> rows;
     rows.reserve(half_edges.size());
-    in_huge_pages(rows.data(), half_edges.size() * sizeof(HalfEdge));
+    prefer_large_pages(rows.data(), half_edges.size() * sizeof(HalfEdge));
     for (const auto& [begin, first] : blocks) {
         const int border = first.fi == -1 ? 0 : 1;
         for (int slot = 0; slot < copies.count; ++slot)

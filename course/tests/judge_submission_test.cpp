@@ -124,6 +124,108 @@ TEST_CASE("a right submission is accepted with all its points") {
     CHECK(result.max() == 4);
 }
 
+/// Uses what is instantiated for submissions in the worker, not in them: each
+/// kind of container with all that is said of it there.
+const std::string uses_containers = R"(
+#include <array>
+#include <map>
+#include <set>
+#include <span>
+#include <utility>
+#include <vector>
+namespace {
+template <class Vector>
+int use_vector(Vector v) {
+    typename Vector::value_type x{};
+    v.push_back(x);
+    v.insert(v.begin(), x);
+    v.insert(v.end(), v.front());
+    v.resize(7);
+    v.erase(v.begin(), v.begin() + 2);
+    Vector w = v;
+    v = std::move(w);
+    const Vector& c = v;
+    int n = 0;
+    for (auto i = c.begin(); i != c.end(); ++i) ++n;
+    for (auto i = v.rbegin(); i != v.rend(); ++i) ++n;
+    return n;
+}
+template <class Set>
+int use_set(Set s) {
+    typename Set::key_type x{};
+    s.insert(x);
+    s.insert(std::move(x));
+    int n = s.count(*s.begin()) > 0 && s.find(*s.begin()) != s.end();
+    for (const auto& y : s) n += &y != nullptr;
+    const Set t = s;
+    s.erase(s.begin());
+    return n + static_cast<int>(s.size() + t.size());
+}
+template <class Map>
+int use_map(Map m) {
+    typename Map::key_type x{};
+    m[x];
+    m[std::move(x)] = {};
+    int n = 0;
+    for (auto& [key, value] : m) n += &value != nullptr && m.count(key) > 0;
+    const Map t = m;
+    m.erase(m.begin()->first);
+    return n + (t.lower_bound(t.begin()->first) == t.begin()) + m.empty();
+}
+int use_all(std::span<const int> ints, std::span<const Vec3> points) {
+    using Two = std::array<int, 2>;
+    using Pair = std::pair<int, int>;
+    using Ints = std::vector<int>;
+    int n = use_vector(Ints{}) + use_vector(std::vector<char>{}) +
+            use_vector(std::vector<double>{}) +
+            use_vector(std::vector<bool>{}) + use_vector(std::vector<Vec3>{}) +
+            use_vector(std::vector<HalfEdge>{}) +
+            use_vector(std::vector<Ints>{}) + use_vector(std::vector<Two>{}) +
+            use_vector(std::vector<std::array<int, 3>>{}) +
+            use_vector(std::vector<Pair>{}) + use_set(std::set<int>{}) +
+            use_set(std::set<Pair>{}) + use_set(std::set<Two>{}) +
+            use_map(std::map<int, int>{}) + use_map(std::map<int, Ints>{}) +
+            use_map(std::map<Pair, int>{}) + use_map(std::map<Pair, Ints>{}) +
+            use_map(std::map<Two, int>{});
+    for (const int k : ints) n += k;
+    for (const Vec3& p : points) n += p.x > 0;
+    return n;
+}
+}
+)";
+
+const std::string uses_texts = R"(
+#include <string>
+int use_texts() {
+    const std::string one = "1", half = std::to_string(0.5);
+    const std::wstring wide = std::to_wstring(2.0);
+    std::vector<std::string> all = {one, half, one + half, "a" + one};
+    all.insert(all.begin(), std::string(3, 'x'));
+    return std::stoi(one) + static_cast<int>(std::stoul(one)) +
+           static_cast<int>(std::stod(half) + std::stof(half)) +
+           static_cast<int>(std::stold(wide) + std::stod(wide)) +
+           std::stoi(wide) + static_cast<int>(std::stoll(one) + std::stol(one));
+}
+)";
+
+TEST_CASE("what a submission finds compiled already is there") {
+    struct Use {
+        std::string source, call;
+    };
+    const Use use = GENERATE(
+        Use{uses_containers, "use_all({}, {}) > 0"},
+        Use{uses_containers + uses_texts, "use_all({}, {}) + use_texts() > 0"},
+        Use{uses_texts + "#include <charconv>\n#include <sstream>\n",
+            "(std::ostringstream() << use_texts()).str() != \"\""},
+        Use{uses_texts + "#include <cmath>\n#include <memory>\n",
+            "*std::make_unique<int>(1) + std::riemann_zeta(2.0f) > 0"});
+    const ExerciseResult result = judged(
+        use.source + right_after("    if (!(" + use.call + ")) return -1;\n"));
+    INFO(text_of(result));
+    CHECK(result.cases.at(0).verdict == Verdict::accepted);
+    CHECK(result.cases.at(1).verdict == Verdict::accepted);
+}
+
 TEST_CASE("what is right on one mesh only gets the points of that mesh") {
     const ExerciseResult result = judged(right_after(""));
     INFO(text_of(result));

@@ -42,7 +42,12 @@ public:
     int tip(int h) const { return rows_[rows_[h].opp].vi; }
     int corner(int h) const { return rows_[h].vi; }
     int face(int h) const { return rows_[h].fi; }
-    const Vec3& position(int v) const { return positions_[at(v)]; }
+    /// As with the others, number by number: g++ 12 takes a copy of the whole
+    /// through memory, and a walk over the faces half as long again.
+    Vec3 position(int v) const {
+        const Vec3& p = positions_[at(v)];
+        return {p.x, p.y, p.z};
+    }
 
 private:
     std::vector<Vec3> positions_;

@@ -179,8 +179,8 @@ private:
 
     /// Reports the line's defects.
     void check() {
-        const std::string_view word =
-            line_.substr(0, line_.find_first_of(" \t"));
+        const std::string_view word(
+            line_.begin(), std::find_if(line_.begin(), line_.end(), is_blank));
         if (word == "v")
             read_vertex();
         else if (word == "f")

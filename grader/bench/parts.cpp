@@ -196,7 +196,8 @@ void report_shares(const OneSubmission& one, const Steps& steps,
     report.add({"rest: workers, conversation, gradebook", rest, "s"});
     report.note(
         "Rest: the submission without compiling in bubblewrap, ld, one more "
-        "sandbox, the judge twice.");
+        "sandbox, the judge twice. Cases tagged [once] are run once, so it is "
+        "more.");
 }
 
 void measure_sizes(const Settings& settings, Report& report) {

@@ -3,7 +3,7 @@
 // namespaces are to be had, it is all that stands around COMMAND.
 //
 //   --parent N         end with this process, also if it has gone already
-//   --join FILE        write "0" to this file of a control group, which joins it
+//   --join FILE        join a control group by writing "0" to this file of it
 //   --cpu S            seconds of CPU        --memory MIB     address space
 //   --file-size MIB    of any one file       --processes N    of the user
 //   --user N           become this user and group, for good

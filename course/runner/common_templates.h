@@ -32,39 +32,39 @@
 #define COURSE_SPAN_BASES(instantiate, T) \
     instantiate(                          \
         class __gnu_cxx::__normal_iterator<const T*, std::span<const T>>);
-#define COURSE_TREE(KeyOf, Key, Value) \
-    std::_Rb_tree<Key, Value, std::KeyOf<Value>, std::less<Key>>
-#define COURSE_TREE_BASES(instantiate, KeyOf, Key, Value)         \
-    instantiate(class COURSE_TREE(KeyOf, Key, Value));            \
-    instantiate(struct COURSE_TREE(                               \
-        KeyOf, Key, Value)::_Rb_tree_impl<std::less<Key>, true>); \
-    instantiate(struct std::_Rb_tree_iterator<Value>);            \
-    instantiate(struct std::_Rb_tree_const_iterator<Value>);      \
-    instantiate(struct std::_Rb_tree_node<Value>);                \
-    instantiate(class std::allocator<std::_Rb_tree_node<Value>>);
-#define COURSE_SET_INSERT(instantiate, Key, KeyArgument, ...)             \
+#define COURSE_TREE(KeyOf, Key, ...) \
+    std::_Rb_tree<Key, __VA_ARGS__, std::KeyOf<__VA_ARGS__>, std::less<Key>>
+#define COURSE_TREE_BASES(instantiate, KeyOf, Key, ...)                 \
+    instantiate(class COURSE_TREE(KeyOf, Key, __VA_ARGS__));            \
+    instantiate(struct COURSE_TREE(                                     \
+        KeyOf, Key, __VA_ARGS__)::_Rb_tree_impl<std::less<Key>, true>); \
+    instantiate(struct std::_Rb_tree_iterator<__VA_ARGS__>);            \
+    instantiate(struct std::_Rb_tree_const_iterator<__VA_ARGS__>);      \
+    instantiate(struct std::_Rb_tree_node<__VA_ARGS__>);                \
+    instantiate(class std::allocator<std::_Rb_tree_node<__VA_ARGS__>>);
+#define COURSE_SET_INSERT(instantiate, Key, Argument, Parameter)          \
     instantiate(std::pair<std::_Rb_tree_iterator<Key>, bool> COURSE_TREE( \
-        _Identity, Key, Key)::_M_insert_unique<KeyArgument>(__VA_ARGS__));
+        _Identity, Key, Key)::_M_insert_unique<Argument>(Parameter));
 #define COURSE_SET_BASES(instantiate, Key)                      \
     COURSE_TREE_BASES(instantiate, _Identity, Key, Key)         \
     COURSE_SET_INSERT(instantiate, Key, const Key&, const Key&) \
     COURSE_SET_INSERT(instantiate, Key, Key, Key&&)
-#define COURSE_MAP_AT(instantiate, Key, Pair, KeyArgument)                \
-    instantiate(std::_Rb_tree_iterator<Pair> COURSE_TREE(                 \
-        _Select1st, Key,                                                  \
-        Pair)::_M_emplace_hint_unique(std::_Rb_tree_const_iterator<Pair>, \
-                                      const std::piecewise_construct_t&,  \
-                                      std::tuple<KeyArgument>&&,          \
-                                      std::tuple<>&&));
-#define COURSE_MAP_BASES(instantiate, Key, Pair)          \
-    COURSE_TREE_BASES(instantiate, _Select1st, Key, Pair) \
-    COURSE_MAP_AT(instantiate, Key, Pair, const Key&)     \
-    COURSE_MAP_AT(instantiate, Key, Pair, Key&&)
+#define COURSE_MAP_AT(instantiate, Key, Argument, ...)                         \
+    instantiate(                                                               \
+        std::_Rb_tree_iterator<__VA_ARGS__>                                    \
+            COURSE_TREE(_Select1st, Key, __VA_ARGS__)::_M_emplace_hint_unique( \
+                std::_Rb_tree_const_iterator<__VA_ARGS__>,                     \
+                const std::piecewise_construct_t&, std::tuple<Argument>&&,     \
+                std::tuple<>&&));
+#define COURSE_MAP_BASES(instantiate, Key, ...)                  \
+    COURSE_TREE_BASES(instantiate, _Select1st, Key, __VA_ARGS__) \
+    COURSE_MAP_AT(instantiate, Key, const Key&, __VA_ARGS__)     \
+    COURSE_MAP_AT(instantiate, Key, Key&&, __VA_ARGS__)
 #else
 #define COURSE_VECTOR_BASES(instantiate, ...)
 #define COURSE_SPAN_BASES(instantiate, T)
 #define COURSE_SET_BASES(instantiate, Key)
-#define COURSE_MAP_BASES(instantiate, Key, Pair)
+#define COURSE_MAP_BASES(instantiate, Key, ...)
 #endif
 
 #define COURSE_VECTOR(instantiate, ...)           \
@@ -74,8 +74,8 @@
     COURSE_SPAN_BASES(instantiate, T) instantiate(class std::span<const T>);
 #define COURSE_SET(instantiate, Key) \
     COURSE_SET_BASES(instantiate, Key) instantiate(class std::set<Key>);
-#define COURSE_MAP(instantiate, Key, Value, Pair) \
-    COURSE_MAP_BASES(instantiate, Key, Pair)      \
+#define COURSE_MAP(instantiate, Key, Value)                         \
+    COURSE_MAP_BASES(instantiate, Key, std::pair<const Key, Value>) \
     instantiate(class std::map<Key, Value>);
 
 /// Types with a comma, to hand over to the macros.
@@ -84,11 +84,6 @@ namespace course::common {
 using IntPair = std::pair<int, int>;
 using TwoInts = std::array<int, 2>;
 using Ints = std::vector<int>;
-using IntToInt = std::pair<const int, int>;
-using IntToInts = std::pair<const int, Ints>;
-using PairToInt = std::pair<const IntPair, int>;
-using PairToInts = std::pair<const IntPair, Ints>;
-using TwoToInt = std::pair<const TwoInts, int>;
 
 }  // namespace course::common
 
@@ -108,15 +103,11 @@ using TwoToInt = std::pair<const TwoInts, int>;
     COURSE_SET(instantiate, int)                                           \
     COURSE_SET(instantiate, course::common::IntPair)                       \
     COURSE_SET(instantiate, course::common::TwoInts)                       \
-    COURSE_MAP(instantiate, int, int, course::common::IntToInt)            \
-    COURSE_MAP(instantiate, int, course::common::Ints,                     \
-               course::common::IntToInts)                                  \
-    COURSE_MAP(instantiate, course::common::IntPair, int,                  \
-               course::common::PairToInt)                                  \
-    COURSE_MAP(instantiate, course::common::IntPair, course::common::Ints, \
-               course::common::PairToInts)                                 \
-    COURSE_MAP(instantiate, course::common::TwoInts, int,                  \
-               course::common::TwoToInt)                                   \
+    COURSE_MAP(instantiate, int, int)                                      \
+    COURSE_MAP(instantiate, int, course::common::Ints)                     \
+    COURSE_MAP(instantiate, course::common::IntPair, int)                  \
+    COURSE_MAP(instantiate, course::common::IntPair, course::common::Ints) \
+    COURSE_MAP(instantiate, course::common::TwoInts, int)                  \
     instantiate(class std::optional<int>);                                 \
     instantiate(class std::deque<int>);                                    \
     instantiate(class std::unordered_set<int>);                            \

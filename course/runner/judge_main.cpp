@@ -297,7 +297,8 @@ CaseResult& result_named(std::vector<CaseResult>& all,
 }
 
 /// All cases, once for each seed as long as there is something to lose. Those
-/// on a large mesh once, and those tagged so because they measure the cost.
+/// on a large mesh once (nobody answers thousands of calls by chance), and
+/// those tagged so because they measure the cost.
 std::vector<CaseResult> results_of_all(
     Catch::Session& session, const std::vector<std::uint64_t>& seeds) {
     std::vector<CaseResult> all;

@@ -232,12 +232,6 @@ std::vector<Limit> limits_of(Kind kind, int memory_mib, int processes) {
     return {};
 }
 
-/// Version 1 lets a thread join, and waits for no other process then; when a
-/// process joins it does, for 10 to 20 ms.
-const char* members_file(Kind kind) {
-    return kind == Kind::v2 ? "cgroup.procs" : "tasks";
-}
-
 void kill_members(const fs::path& folder) {
     if (write_to(folder / "cgroup.kill", "1")) return;
     std::ifstream in(folder / "cgroup.procs");
@@ -302,8 +296,7 @@ ControlGroup::ControlGroup(const ControlGroups& all, const std::string& name,
         const fs::path folder = group.folder / name;
         if (::mkdir(folder.c_str(), 0755) != 0 && errno != EEXIST)
             course::throw_errno("cannot make the group " + folder.string());
-        folders_.push_back(folder);
-        members_.push_back(folder / members_file(group.kind));
+        folders_.push_back({group.kind, folder});
         for (const Limit& limit : limits_of(group.kind, memory_mib, processes))
             if (!write_to(folder / limit.file, limit.value) &&
                 !limit.may_be_missing)
@@ -313,7 +306,17 @@ ControlGroup::ControlGroup(const ControlGroups& all, const std::string& name,
 }
 
 ControlGroup::~ControlGroup() {
-    for (const fs::path& folder : folders_) end_group(folder);
+    for (const GroupFolder& group : folders_) end_group(group.folder);
+}
+
+/// Version 1 lets a thread join, and waits for no other process then; when a
+/// process joins it does, for 10 to 20 ms.
+std::vector<fs::path> ControlGroup::members() const {
+    std::vector<fs::path> files;
+    for (const GroupFolder& group : folders_)
+        files.push_back(group.folder /
+                        (group.kind == Kind::v2 ? "cgroup.procs" : "tasks"));
+    return files;
 }
 
 }  // namespace grader

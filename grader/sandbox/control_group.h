@@ -50,15 +50,12 @@ public:
     ControlGroup& operator=(const ControlGroup&) = delete;
 
     /// A process of one thread joins by writing "0" to each of these.
-    const std::vector<std::filesystem::path>& members() const {
-        return members_;
-    }
+    std::vector<std::filesystem::path> members() const;
 
 private:
     ControlGroup() = default;
 
-    std::vector<std::filesystem::path> folders_;
-    std::vector<std::filesystem::path> members_;
+    std::vector<GroupFolder> folders_;
 };
 
 }  // namespace grader

@@ -12,12 +12,12 @@ namespace course {
 
 namespace {
 
-struct Options {
+struct CleanCommandOptions {
     std::filesystem::path in, out;
     CleanOptions clean;
 };
 
-int clean_file(const Options& options) {
+int clean_file(const CleanCommandOptions& options) {
     try {
         const Cleaned cleaned = clean(read_mesh(options.in), options.clean);
         write_mesh(options.out, cleaned.mesh);
@@ -36,7 +36,7 @@ int clean_file(const Options& options) {
 }  // namespace
 
 void add_clean(CLI::App& program, int& code) {
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<CleanCommandOptions>();
     CLI::App* command = program.add_subcommand(
         "clean", "Mend a mesh so that it has a half-edge table, and say how");
     command->add_option("in", options->in, "an .obj or .off file")->required();

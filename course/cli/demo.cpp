@@ -25,7 +25,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Options {
+struct DemoOptions {
     std::string exercise;
     fs::path file, mesh;
     std::vector<int> starts;
@@ -44,7 +44,7 @@ IndexedMesh cleaned(const fs::path& file, IndexedMesh mesh) {
     return std::move(result.mesh);
 }
 
-Fixture fixture_from(const Options& options) {
+Fixture fixture_from(const DemoOptions& options) {
     const fs::path& file = options.mesh;
     try {
         Fixture fixture;
@@ -65,7 +65,7 @@ Fixture fixture_from(const Options& options) {
 }
 
 RecordOptions record_options(const Desk& desk, const Exercise& exercise,
-                             const Options& options) {
+                             const DemoOptions& options) {
     RecordOptions recorded;
     recorded.file = options.file;
     if (recorded.file.empty() && (options.live || !has_solutions()))
@@ -98,7 +98,7 @@ void open_page(const fs::path& page) {
     Process(command).wait();
 }
 
-void write(const Options& options, const Recording& recording) {
+void write(const DemoOptions& options, const Recording& recording) {
     if (!options.json.empty()) {
         replace_text(options.json, to_json(recording));
         fmt::print("The recording is in {}.\n", options.json.string());
@@ -115,7 +115,7 @@ void write(const Options& options, const Recording& recording) {
 }
 
 int demo_one(const Exercise& exercise, const RecordOptions& recorded,
-             const Options& options) {
+             const DemoOptions& options) {
     try {
         const Recording recording = record(exercise, recorded);
         for (const std::string& note : recording.notes)
@@ -129,7 +129,7 @@ int demo_one(const Exercise& exercise, const RecordOptions& recorded,
     return 0;
 }
 
-int demo(const Desk& desk, const Options& options) {
+int demo(const Desk& desk, const DemoOptions& options) {
     if (!options.all.empty()) return demo_set(desk, options.all);
     if (options.exercise.empty())
         throw CannotShow("which exercise? What can be shown is" +
@@ -144,7 +144,7 @@ int demo(const Desk& desk, const Options& options) {
     return demo_one(exercise, recorded, options);
 }
 
-CLI::App* add_options(CLI::App& program, Options& options) {
+CLI::App* add_options(CLI::App& program, DemoOptions& options) {
     CLI::App* command = program.add_subcommand(
         "demo", "Show walks on the half-edge table, step by step, as a page");
     command->add_option("exercise", options.exercise,
@@ -197,7 +197,7 @@ CLI::App* add_options(CLI::App& program, Options& options) {
 }  // namespace
 
 void add_demo(CLI::App& program, const Desk& desk, int& code) {
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<DemoOptions>();
     add_options(program, *options)->callback([options, &desk, &code] {
         code = demo(desk, *options);
     });

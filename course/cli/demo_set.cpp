@@ -27,14 +27,14 @@ namespace {
 namespace fs = std::filesystem;
 
 /// A page of the set, to be made.
-struct Page {
+struct DemoPage {
     std::string chapter, file, title;
     bool is_picture = false;
     std::function<std::string()> make;
 };
 
-std::vector<Page> pictures() {
-    std::vector<Page> pages;
+std::vector<DemoPage> pictures() {
+    std::vector<DemoPage> pages;
     for (const Picture& picture : lecture_pictures())
         pages.push_back({picture.chapter, picture.name + ".html", picture.title,
                          true, [picture] { return picture_page(picture); }});
@@ -48,9 +48,9 @@ std::vector<Exercise> shown_exercises(const Desk& desk) {
     return all;
 }
 
-std::vector<Page> walks(const Desk& desk,
-                        const std::vector<Exercise>& exercises) {
-    std::vector<Page> pages;
+std::vector<DemoPage> walks(const Desk& desk,
+                            const std::vector<Exercise>& exercises) {
+    std::vector<DemoPage> pages;
     for (const Exercise& exercise : exercises) {
         RecordOptions options;
         if (!has_solutions()) options.file = desk.file(exercise);
@@ -71,9 +71,9 @@ std::string title_of_chapter(const std::string& chapter) {
     return text.substr(first, text.find('\n') - first);
 }
 
-std::string index_page(const std::vector<Page>& pages) {
+std::string index_page(const std::vector<DemoPage>& pages) {
     std::map<std::string, std::vector<Json>> by_chapter;
-    for (const Page& page : pages)
+    for (const DemoPage& page : pages)
         by_chapter[page.chapter].push_back(
             Json::object({{"file", page.file},
                           {"title", page.title},
@@ -90,7 +90,8 @@ std::string index_page(const std::vector<Page>& pages) {
 }
 
 /// Writes a page, or returns why there is none.
-std::optional<std::string> written(const Page& page, const fs::path& folder) {
+std::optional<std::string> written(const DemoPage& page,
+                                   const fs::path& folder) {
     try {
         replace_text(folder / page.file, page.make());
         return std::nullopt;
@@ -103,8 +104,8 @@ std::optional<std::string> written(const Page& page, const fs::path& folder) {
 }
 
 /// Writes them on all cores; returns those that could be made.
-std::vector<Page> write_all(const std::vector<Page>& pages,
-                            const fs::path& folder) {
+std::vector<DemoPage> write_pages(const std::vector<DemoPage>& pages,
+                                  const fs::path& folder) {
     std::vector<char> is_there(pages.size());
     std::size_t done = 0;
     std::mutex one_at_a_time;
@@ -121,7 +122,7 @@ std::vector<Page> write_all(const std::vector<Page>& pages,
             fmt::print(stderr, "\r{} of {} pages{}", done, pages.size(),
                        done == pages.size() ? "\r\033[K" : "");
     });
-    std::vector<Page> there;
+    std::vector<DemoPage> there;
     for (std::size_t k = 0; k < pages.size(); ++k)
         if (is_there[k] != 0) there.push_back(pages[k]);
     return there;
@@ -133,9 +134,10 @@ int demo_set(const Desk& desk, const fs::path& folder) {
     fs::create_directories(folder);
     const std::vector<Exercise> exercises = shown_exercises(desk);
     make_ready_to_record(exercises);
-    std::vector<Page> pages = pictures();
-    for (Page& page : walks(desk, exercises)) pages.push_back(std::move(page));
-    const std::vector<Page> there = write_all(pages, folder);
+    std::vector<DemoPage> pages = pictures();
+    for (DemoPage& page : walks(desk, exercises))
+        pages.push_back(std::move(page));
+    const std::vector<DemoPage> there = write_pages(pages, folder);
     replace_text(folder / "index.html", index_page(there));
     fmt::print("{} pages are in {}: open {} in a browser.\n", there.size(),
                folder.string(), (folder / "index.html").string());

@@ -24,8 +24,8 @@ constexpr std::string_view heading =
     "# a mark of the text that was checked.\n";
 
 /// The names of states in the file, by their numbers.
-constexpr std::array<std::string_view, 4> names = {"untouched", "tried",
-                                                   "solved", "broken"};
+constexpr std::array<std::string_view, 4> state_names = {"untouched", "tried",
+                                                         "solved", "broken"};
 
 fs::path progress_file(const Desk& desk) {
     return desk.memory() / "progress";
@@ -36,9 +36,9 @@ std::string text_of(const Progress& progress) {
     if (!progress.current.empty())
         text += fmt::format("current {}\n", progress.current);
     for (const auto& [name, entry] : progress.entries)
-        text += fmt::format("{} {} {}\n",
-                            names.at(static_cast<std::size_t>(entry.state)),
-                            name, entry.mark);
+        text += fmt::format(
+            "{} {} {}\n", state_names.at(static_cast<std::size_t>(entry.state)),
+            name, entry.mark);
     return text;
 }
 
@@ -50,10 +50,11 @@ bool take_line(std::string_view line, Progress& progress) {
         progress.current = parts[1];
         return true;
     }
-    const auto found = std::find(names.begin(), names.end(), parts[0]);
-    if (found == names.end() || parts.size() != 3) return false;
+    const auto found =
+        std::find(state_names.begin(), state_names.end(), parts[0]);
+    if (found == state_names.end() || parts.size() != 3) return false;
     progress.entries[std::string(parts[1])] = {
-        static_cast<State>(found - names.begin()), std::string(parts[2])};
+        static_cast<State>(found - state_names.begin()), std::string(parts[2])};
     return true;
 }
 

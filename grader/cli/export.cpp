@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Options {
+struct ExportOptions {
     fs::path out, assignment, moodle, canvas, to, json;
     std::string column;
     MoodleOptions columns;
@@ -47,7 +47,7 @@ void write(const fs::path& table, const fs::path& to, const std::string& text) {
 }
 
 /// Says what was done; whether all was.
-bool say(const fs::path& table, const FilledTable& filled) {
+bool print_export(const fs::path& table, const FilledTable& filled) {
     for (const std::string& note : filled.notes)
         fmt::print("{}: {}\n", table.string(), note);
     for (const std::string& left : filled.left) fmt::print("  {}\n", left);
@@ -65,13 +65,13 @@ bool fill(const fs::path& table, const fs::path& to, const Fill& fill_in) {
         const std::string text = course::read_file(table);
         const FilledTable filled = fill_in(text);
         if (filled.text != text || !to.empty()) write(table, to, filled.text);
-        return say(table, filled);
+        return print_export(table, filled);
     } catch (const CsvError& error) {
         throw CannotBegin(fmt::format("{}: {}", table.string(), error.what()));
     }
 }
 
-int export_command(const Options& options) {
+int export_command(const ExportOptions& options) {
     if (options.moodle.empty() && options.canvas.empty() &&
         options.json.empty())
         throw CannotBegin("--moodle, --canvas or --json: export to what?");
@@ -117,7 +117,7 @@ void add_columns(CLI::App& command, MoodleOptions& columns,
         ->needs(moodle);
 }
 
-void add_tables(CLI::App& command, Options& options) {
+void add_tables(CLI::App& command, ExportOptions& options) {
     CLI::Option* moodle = command.add_option(
         "--moodle", options.moodle,
         "Moodle's grading worksheet: its grades and feedback are filled in");
@@ -138,7 +138,7 @@ void add_tables(CLI::App& command, Options& options) {
 }  // namespace
 
 void add_export(CLI::App& program, int& code) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<ExportOptions>();
     CLI::App* command = program.add_subcommand(
         "export", "Write the grades into the tables of other systems");
     command->add_option("--out", options->out, "the folder of a run")

@@ -12,7 +12,7 @@ namespace grader {
 
 namespace {
 
-struct Options {
+struct HistoryOptions {
     std::filesystem::path out;
     std::filesystem::path csv;
     std::filesystem::path json;
@@ -20,7 +20,7 @@ struct Options {
     int newer = 0;
 };
 
-int history_command(const Options& options) {
+int history_command(const HistoryOptions& options) {
     const Gradebook gradebook = gradebook_in(options.out);
     if (!options.csv.empty())
         course::replace_text(options.csv, history_csv(gradebook));
@@ -38,7 +38,7 @@ void check_run(const std::vector<PastRun>& runs, int number) {
                         runs_text(runs)));
 }
 
-int diff_command(const Options& options) {
+int diff_command(const HistoryOptions& options) {
     const Gradebook gradebook = gradebook_in(options.out);
     const std::vector<PastRun> runs = gradebook.runs();
     check_run(runs, options.older);
@@ -57,7 +57,7 @@ int diff_command(const Options& options) {
 }  // namespace
 
 void add_history(CLI::App& program, int& code) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<HistoryOptions>();
     CLI::App* command = program.add_subcommand(
         "history",
         "The runs of a folder; everything that happened to its grades as a "
@@ -72,7 +72,7 @@ void add_history(CLI::App& program, int& code) {
 }
 
 void add_diff(CLI::App& program, int& code) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<HistoryOptions>();
     CLI::App* command = program.add_subcommand(
         "diff", "The scores that differ between two runs of a folder");
     command->add_option("older", options->older, "number of a run")->required();

@@ -15,7 +15,7 @@ namespace {
 
 using course::Verdict;
 
-struct Options {
+struct JudgeOptions {
     std::string exercise;
     std::filesystem::path file;
     bool json = false;
@@ -59,7 +59,7 @@ int exit_code(Verdict verdict) {
     return verdict == Verdict::grader_fault ? 3 : 1;
 }
 
-int judge_command(const Options& options) {
+int judge_command(const JudgeOptions& options) {
     const course::Exercise exercise = course::exercise_named(options.exercise);
     if (!std::filesystem::is_regular_file(options.file))
         throw CannotBegin(fmt::format("{} is no file", options.file.string()));
@@ -80,7 +80,7 @@ int judge_command(const Options& options) {
 }  // namespace
 
 void add_judge(CLI::App& program, int& code) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<JudgeOptions>();
     CLI::App* command =
         program.add_subcommand("judge", "Judge one file for one exercise");
     command->add_option("exercise", options->exercise, "name of the exercise")

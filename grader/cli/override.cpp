@@ -15,7 +15,7 @@ namespace grader {
 
 namespace {
 
-struct Options {
+struct OverrideOptions {
     std::string student;
     std::string exercise;
     std::optional<double> points;
@@ -25,7 +25,7 @@ struct Options {
     std::filesystem::path assignment;
 };
 
-void check(const Options& options, const Suite& suite) {
+void check(const OverrideOptions& options, const Suite& suite) {
     if (options.undo == options.points.has_value())
         throw CannotBegin("expected either points or --undo");
     if (options.reason.find_first_not_of(" \t\n") == std::string::npos)
@@ -37,7 +37,7 @@ void check(const Options& options, const Suite& suite) {
             course::points_text(suite.max), suite.exercise));
 }
 
-void check(const Options& options, const Gradebook& gradebook,
+void check(const OverrideOptions& options, const Gradebook& gradebook,
            const GradeByHand& grade) {
     if (!gradebook.latest(grade.student, grade.exercise))
         throw CannotBegin(fmt::format(
@@ -52,7 +52,7 @@ void check(const Options& options, const Gradebook& gradebook,
                                       grade.student, grade.exercise));
 }
 
-void print_outcome(const Options& options, const GradeByHand& grade,
+void print_outcome(const OverrideOptions& options, const GradeByHand& grade,
                    double max) {
     if (grade.points)
         fmt::print("{}, {}: {} of {}, set by hand.\n", grade.student,
@@ -67,7 +67,7 @@ void print_outcome(const Options& options, const GradeByHand& grade,
             "said with --assignment.\n");
 }
 
-int override_command(const Options& options) {
+int override_command(const OverrideOptions& options) {
     // Before anything is written down: a mistake in the file must show first.
     const auto assignment = assignment_in(options.assignment);
     Gradebook gradebook = gradebook_in(options.out, Gradebook::Access::write);
@@ -90,7 +90,7 @@ int override_command(const Options& options) {
 }  // namespace
 
 void add_override(CLI::App& program, int& code) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<OverrideOptions>();
     CLI::App* command = program.add_subcommand(
         "override", "Set the points of a student's exercise by hand");
     command->add_option("student", options->student, "folder name or id")

@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Options {
+struct PlagiarismOptions {
     ClassOptions of_class;
     bool anonymous = false;
 };
@@ -51,7 +51,7 @@ void print_commands(const fs::path& out, const SubmittedClass& submitted,
                 exercises[k].name);
 }
 
-int plagiarism_command(const Options& options) {
+int plagiarism_command(const PlagiarismOptions& options) {
     const fs::path& out = options.of_class.out;
     const fs::path names_file = out.string() + ".names.csv";
     if (fs::exists(out) && !fs::is_empty(out))
@@ -79,7 +79,7 @@ int plagiarism_command(const Options& options) {
 }  // namespace
 
 void add_plagiarism(CLI::App& program, int& code) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<PlagiarismOptions>();
     CLI::App* command = program.add_subcommand(
         "plagiarism",
         "Lay a class out for JPlag and Dolos, which look for "

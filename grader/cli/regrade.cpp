@@ -15,11 +15,11 @@ namespace grader {
 
 namespace {
 
-struct Options : ClassOptions {
+struct RegradeOptions : ClassOptions {
     bool yes = false;
 };
 
-bool asks(const Options& options) {
+bool asks(const RegradeOptions& options) {
     if (options.yes) return true;
     if (::isatty(STDIN_FILENO) != 1) {
         fmt::print(
@@ -46,7 +46,7 @@ std::string obstacle(const ClassRunResult& done) {
     return "";
 }
 
-int regrade_command(const Options& options) {
+int regrade_command(const RegradeOptions& options) {
     expect_gradebook(options.out);
     ClassSession session(options);
     const ClassRunResult done = session.grade(true);
@@ -78,7 +78,7 @@ int regrade_command(const Options& options) {
 }  // namespace
 
 void add_regrade(CLI::App& program, int& code) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<RegradeOptions>();
     CLI::App* command = program.add_subcommand(
         "regrade",
         "Judge a class again after a suite has changed, show which scores "

@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Options {
+struct ReleaseOptions {
     fs::path dir, assignment, zip, gradescope;
     bool is_quick = false;
 };
@@ -90,7 +90,7 @@ int refuse(const char* why) {
     return 1;
 }
 
-int release_copy(const Options& options,
+int release_copy(const ReleaseOptions& options,
                  const std::optional<Assignment>& assignment) {
     const fs::path dir = plain(options.dir);
     const auto exercises = released_exercises(assignment);
@@ -113,7 +113,7 @@ int release_copy(const Options& options,
     return 0;
 }
 
-int release_bundle(const Options& options) {
+int release_bundle(const ReleaseOptions& options) {
     course::replace_text(options.gradescope,
                          gradescope_bundle(options.assignment));
     fmt::print(
@@ -123,7 +123,7 @@ int release_bundle(const Options& options) {
     return 0;
 }
 
-int release_command(const Options& options) {
+int release_command(const ReleaseOptions& options) {
     if (options.dir.empty() && options.gradescope.empty())
         throw CannotBegin("a folder for the student's copy, or --gradescope");
     if (!options.gradescope.empty() && options.assignment.empty())
@@ -138,7 +138,7 @@ int release_command(const Options& options) {
 }  // namespace
 
 void add_release(CLI::App& program, int& code) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<ReleaseOptions>();
     CLI::App* command = program.add_subcommand(
         "release",
         "Make the student's copy: this tree without solutions and grader, "

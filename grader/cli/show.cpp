@@ -12,13 +12,13 @@ namespace grader {
 
 namespace {
 
-struct Options {
+struct ShowOptions {
     std::string student;
     std::filesystem::path out;
     bool history = false;
 };
 
-int show_command(const Options& options) {
+int show_command(const ShowOptions& options) {
     const Gradebook gradebook = gradebook_in(options.out);
     const GradedAssignment graded =
         graded_assignment(gradebook, unweighted_assignment(gradebook));
@@ -35,7 +35,7 @@ int show_command(const Options& options) {
 }  // namespace
 
 void add_show(CLI::App& program, int& code) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<ShowOptions>();
     CLI::App* command = program.add_subcommand(
         "show", "One student's results, hidden cases included");
     command->add_option("student", options->student, "folder name or id")

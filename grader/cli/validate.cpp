@@ -12,7 +12,7 @@ namespace grader {
 
 namespace {
 
-struct Options {
+struct ValidateOptions {
     std::vector<std::string> names;
     int every = 1;
     JudgingOptions judging;
@@ -39,7 +39,7 @@ void print(const std::vector<Validation>& validations) {
     }
 }
 
-int validate_command(const Options& options) {
+int validate_command(const ValidateOptions& options) {
     ValidationRun run;
     run.exercises = chosen(options.names);
     course::make_ready(run.exercises, {course::JudgeKind::grade,
@@ -70,7 +70,7 @@ int validate_command(const Options& options) {
 }  // namespace
 
 void add_validate(CLI::App& program, int& code) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<ValidateOptions>();
     CLI::App* command = program.add_subcommand(
         "validate",
         "Prove the suites: reference, skeleton and stored wrong submissions");

@@ -44,7 +44,7 @@ std::string groups_of(const Bench& bench) {
 
 // ---- a node
 
-struct Options {
+struct WorkOptions {
     fs::path job;
     std::size_t chunk = 0;
 };
@@ -96,7 +96,7 @@ Job job_in(const JobFolder& folder, std::size_t chunk) {
     return *job;
 }
 
-int work_command(const Options& options) {
+int work_command(const WorkOptions& options) {
     std::array<char, 256> host{};
     ::gethostname(host.data(), host.size() - 1);
     fmt::print(stderr, "chunk {} on {}\n", options.chunk, host.data());
@@ -159,7 +159,7 @@ std::unique_ptr<Executor> executor_for(const ExecutorOptions& options,
 }
 
 void add_work(CLI::App& program, int& code) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<WorkOptions>();
     CLI::App* command = program.add_subcommand(
         "work", "Judge a chunk of a job on a cluster; started by its nodes");
     command->group("");  // nobody types it

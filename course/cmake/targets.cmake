@@ -1,14 +1,14 @@
 # One function for each kind of target; nothing is written out by hand twice.
 
 # Warnings are errors for our code. Paths in objects are relative to the root:
-# reports show them, and the judge tells shown from hidden cases by them.
+# reports show them, and the judge tells shown from hidden cases by them. All of
+# it is for programs; what a submission is linked with says so itself.
 function(course_options target)
     target_include_directories(${target} PUBLIC ${CMAKE_SOURCE_DIR})
     target_compile_options(
         ${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wconversion
-                          -Wsign-conversion -Werror
+                          -Wsign-conversion -Werror -fPIE
                           -fmacro-prefix-map=${CMAKE_SOURCE_DIR}/=)
-    set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON)
 endfunction()
 
 # course_library(name SOURCES... LINK...)
@@ -19,10 +19,28 @@ function(course_library name)
     target_link_libraries(${name} PUBLIC ${ARG_LINK})
 endfunction()
 
+# A precompiled header that targets share by REUSE_FROM. Theirs must be the same
+# options, but for definitions that no header of it mentions; g++ 12 breaks down
+# on another -O.
+# course_precompiled(name HEADERS... LINK...)
+function(course_precompiled name)
+    cmake_parse_arguments(ARG "" "" "HEADERS;LINK" ${ARGN})
+    file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/glue/${name}.cpp
+         CONTENT "// Generated: a precompiled header needs a source.\n")
+    add_library(${name} OBJECT EXCLUDE_FROM_ALL
+                ${CMAKE_BINARY_DIR}/glue/${name}.cpp)
+    course_options(${name})
+    target_link_libraries(${name} PRIVATE ${ARG_LINK})
+    target_precompile_headers(${name} PRIVATE ${ARG_HEADERS})
+endfunction()
+
 # A target of many small sources that read a command line: what they take to
-# compile is CLI11, and their work is done elsewhere.
+# compile is CLI11, and their work is done elsewhere. So they are compiled as
+# one, in a sixth of the time (40 sources: 20 s instead of 130), and what they
+# keep to themselves has names of its own.
 function(course_commands name)
-    target_precompile_headers(${name} PRIVATE <CLI/CLI.hpp>)
+    set_target_properties(${name} PROPERTIES UNITY_BUILD ON
+                                             UNITY_BUILD_BATCH_SIZE 0)
     target_compile_options(${name} PRIVATE -O0)
 endfunction()
 
@@ -42,6 +60,7 @@ function(course_tests folder)
             ${name} PRIVATE COURSE_SOURCE_DIR="${CMAKE_SOURCE_DIR}"
                             COURSE_BINARY_DIR="${CMAKE_BINARY_DIR}")
         target_link_libraries(${name} PRIVATE ${ARG_LINK} course_test_main)
+        target_precompile_headers(${name} REUSE_FROM course_catch2)
         add_test(NAME ${name} COMMAND ${name}
                  WORKING_DIRECTORY ${CMAKE_SOURCE_DIR})
     endforeach()
@@ -205,6 +224,7 @@ function(course_entry kind folder name)
     add_library(${target} OBJECT EXCLUDE_FROM_ALL
                 ${CMAKE_BINARY_DIR}/glue/${target}.cpp)
     course_options(${target})
+    target_compile_options(${target} PRIVATE -fPIC)
     target_compile_definitions(${target} PRIVATE ${ARG_DEFINITIONS})
     set(entry $<TARGET_OBJECTS:${target}>)
     set(file ${CMAKE_BINARY_DIR}/student/${folder}/${name}.o)
@@ -214,6 +234,7 @@ function(course_entry kind folder name)
         set(references ${target}_references)
         add_library(${references} OBJECT EXCLUDE_FROM_ALL ${ARG_REFERENCES})
         course_options(${references})
+        target_compile_options(${references} PRIVATE -fPIC)
         target_compile_definitions(${references} PRIVATE ${ARG_DEFINITIONS})
         set(before $<TARGET_OBJECTS:${references}>)
         set(weak ${CMAKE_BINARY_DIR}/glue/${target}_references.o)
@@ -234,6 +255,7 @@ endfunction()
 # recorder does not see inside of what a submission calls of earlier exercises.
 function(course_entries topic name)
     course_entry(entry entries ${name} REFERENCES ${ARGN})
+    target_precompile_headers(${name}_entry REUSE_FROM course_entry_headers)
     add_custom_target(${name}_entry_is_built ALL DEPENDS ${name}_entry_file)
     file(STRINGS ${CMAKE_SOURCE_DIR}/exercises/${topic}/${name}.h tables
          REGEX "^[^/#]*HalfEdgeTable")

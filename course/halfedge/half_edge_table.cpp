@@ -121,7 +121,7 @@ std::string endless(std::vector<Visit> repeated, std::int64_t budget,
 int HalfEdgeTable::copy_last_visits(Visit* to) const {
     const auto n = static_cast<int>(std::min<std::int64_t>(reads(), ring_size));
     for (int k = n - 1; k >= 0; --k)
-        *to++ = visit_of(ring_[(left_ + k) & (ring_size - 1)]);
+        *to++ = visit_of(ring_[(reads_left() + k) & (ring_size - 1)]);
     return n;
 }
 
@@ -133,9 +133,10 @@ std::vector<Visit> HalfEdgeTable::last_visits() const {
 
 void HalfEdgeTable::note_reads(std::int64_t reads,
                                const std::vector<Visit>& last) const {
-    left_ = std::max<std::int64_t>(left_ - reads, 0);
+    allow(reads_left() - reads);
+    const std::int64_t left = reads_left();
     for (std::size_t k = 0; k < last.size(); ++k)
-        ring_[(left_ + static_cast<std::int64_t>(last.size() - 1 - k)) &
+        ring_[(left + static_cast<std::int64_t>(last.size() - 1 - k)) &
               (ring_size - 1)] = word_of(last[k]);
 }
 
@@ -271,7 +272,7 @@ void HalfEdgeTable::note_changes() const {
 }
 
 void HalfEdgeTable::note(HalfEdgeIndex at) const {
-    ring_[--left_ & (ring_size - 1)] = word_of({at.i(), at.line()});
+    ring_[slot_] = word_of({at.i(), at.line()});
     add_event(TraceEvent::Kind::subscript, at.i(), at.place, at.frame);
 }
 

@@ -242,17 +242,18 @@ public:
     /// Starts a call: forgets all reads, allows `budget` new ones. `start` is
     /// the half-edge that the call is given, or -1; messages name it.
     void begin_call(std::int64_t budget, int start = -1) const {
-        budget_ = left_ = budget;
+        allow(budget);
+        budget_ = reads_left();
         start_ = start;
         exact_ = budget != default_budget();
     }
 
     /// Reads since begin_call, and how many more are allowed.
     std::int64_t reads() const {
-        return budget_ - left_;
+        return budget_ - reads_left();
     }
     std::int64_t reads_left() const {
-        return left_;
+        return later_ + slot_;
     }
 
     /// The last reads, at most 64, oldest first.
@@ -296,24 +297,40 @@ private:
 
     // Mutable: reading through a const table is what is counted.
     mutable std::int64_t budget_ = unwatched;
-    mutable std::int64_t left_ = unwatched;
+    // Reads left: until the ring is full, and a multiple of its size after
+    // that, so that one test serves for both. Of another type than what is
+    // written to the ring: a loop keeps them in registers.
+    mutable long long slot_ = 0;
+    mutable long long later_ = unwatched;
     mutable int start_ = -1;
     mutable bool exact_ = false;            // the exercise fixed the budget
     mutable std::int64_t ring_[ring_size];  // as the word of HalfEdgeIndex
 
     [[gnu::always_inline]] const HalfEdge* row(HalfEdgeIndex at) const {
         const std::uint64_t i = static_cast<std::uint32_t>(at.i());
-        if (i >= rows_.size() || left_ <= 0) [[unlikely]]
+        if (i >= rows_.size()) [[unlikely]]
             fail(at);
+        long long slot = slot_;
+        if (slot == 0) [[unlikely]] {
+            if (later_ == 0) fail(at);
+            later_ -= ring_size;
+            slot = ring_size;
+        }
+        slot_ = slot - 1;
         note(at);
         return rows_.data() + i;
+    }
+    void allow(std::int64_t reads) const {
+        reads = reads > 0 ? reads : 0;
+        slot_ = reads % ring_size;
+        later_ = reads - slot_;
     }
     void charge() const;
     [[noreturn]] void fail(HalfEdgeIndex at) const;
 
 #if COURSE_TABLE == 1
     void note(HalfEdgeIndex at) const {
-        ring_[--left_ & (ring_size - 1)] = at.word;
+        ring_[slot_] = at.word;
     }
 };
 #else

@@ -177,17 +177,34 @@ TEST_CASE("a budget that the exercise fixes is explained by the exercise") {
 }
 
 TEST_CASE("a budget of n allows n reads and not one more") {
+    // Around the size of the ring of last reads, too.
+    const std::int64_t n = GENERATE(0, 1, 3, 63, 64, 65, 127, 128, 1000);
     const HalfEdgeTable he = triangle();
-    he.begin_call(3);
-    int n = 0;
+    he.begin_call(n);
+    std::int64_t k = 0;
     CHECK_THROWS_AS(
         [&] {
-            for (;; ++n) he[n % 6];
+            for (;; ++k) he[static_cast<int>(k % 6)];
         }(),
         TooManyReads);
-    CHECK(n == 3);
-    CHECK(he.reads() == 3);
+    CHECK(k == n);
+    CHECK(he.reads() == n);
     CHECK(he.reads_left() == 0);
+
+    const std::vector<Visit> visits = he.last_visits();
+    REQUIRE(static_cast<std::int64_t>(visits.size()) ==
+            std::min<std::int64_t>(n, 64));
+    for (const Visit& visit : visits) {
+        const auto back = &visits.back() - &visit + 1;
+        CHECK(visit.i == (n - back) % 6);
+    }
+}
+
+TEST_CASE("no budget is taken for less than none") {
+    const HalfEdgeTable he = triangle();
+    he.begin_call(-5);
+    CHECK(he.reads_left() == 0);
+    CHECK_THROWS_AS(he[0], TooManyReads);
 }
 
 TEST_CASE("a new call forgets the reads of the one before") {

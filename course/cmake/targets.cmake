@@ -2,7 +2,7 @@
 
 # Warnings are errors for our code. Paths in objects are relative to the root:
 # reports show them, and the judge tells shown from hidden cases by them. All of
-# it is for programs; what a submission is linked with says so itself.
+# it is for programs (-fPIE); what a submission is linked with adds -fPIC.
 function(course_options target)
     target_include_directories(${target} PUBLIC ${CMAKE_SOURCE_DIR})
     target_compile_options(

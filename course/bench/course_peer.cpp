@@ -14,11 +14,10 @@ namespace {
 Anchors anchors_of(const HalfEdgeTable& he, int vertices, int faces) {
     Anchors anchors{std::vector<int>(at(vertices), -1),
                     std::vector<int>(at(faces), -1)};
-    for (int i = 0; i < he.size(); ++i) {
+    for (int i = he.size() - 1; i >= 0; --i) {
         const HalfEdge& row = he.rows()[at(i)];
-        if (anchors.vertex[at(row.vi)] == -1) anchors.vertex[at(row.vi)] = i;
-        if (row.fi != -1 && anchors.face[at(row.fi)] == -1)
-            anchors.face[at(row.fi)] = i;
+        anchors.vertex[at(row.vi)] = i;
+        if (row.fi != -1) anchors.face[at(row.fi)] = i;
     }
     return anchors;
 }

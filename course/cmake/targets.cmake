@@ -3,33 +3,38 @@
 # Warnings are errors for our code. Paths in objects are relative to the root:
 # reports show them, and the judge tells shown from hidden cases by them. All of
 # it is for programs (-fPIE); what a submission is linked with adds -fPIC.
+# course_options(target MORE_OPTIONS...)
 function(course_options target)
     target_include_directories(${target} PUBLIC ${CMAKE_SOURCE_DIR})
     target_compile_options(
         ${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wconversion
                           -Wsign-conversion -Werror -fPIE
-                          -fmacro-prefix-map=${CMAKE_SOURCE_DIR}/=)
+                          -fmacro-prefix-map=${CMAKE_SOURCE_DIR}/= ${ARGN})
 endfunction()
 
-# course_library(name SOURCES... LINK...)
+# PRECOMPILED: the owner of the precompiled header that it takes.
+# course_library(name SOURCES... LINK... PRECOMPILED owner)
 function(course_library name)
-    cmake_parse_arguments(ARG "" "" "SOURCES;LINK" ${ARGN})
+    cmake_parse_arguments(ARG "" "PRECOMPILED" "SOURCES;LINK" ${ARGN})
     add_library(${name} STATIC ${ARG_SOURCES})
     course_options(${name})
     target_link_libraries(${name} PUBLIC ${ARG_LINK})
+    if(ARG_PRECOMPILED)
+        target_precompile_headers(${name} REUSE_FROM ${ARG_PRECOMPILED})
+    endif()
 endfunction()
 
 # A precompiled header that targets share by REUSE_FROM. Theirs must be the same
 # options, but for definitions that no header of it mentions; g++ 12 breaks down
 # on another -O.
-# course_precompiled(name HEADERS... LINK...)
+# course_precompiled(name HEADERS... LINK... OPTIONS...)
 function(course_precompiled name)
-    cmake_parse_arguments(ARG "" "" "HEADERS;LINK" ${ARGN})
+    cmake_parse_arguments(ARG "" "" "HEADERS;LINK;OPTIONS" ${ARGN})
     file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/glue/${name}.cpp
          CONTENT "// Generated: a precompiled header needs a source.\n")
     add_library(${name} OBJECT EXCLUDE_FROM_ALL
                 ${CMAKE_BINARY_DIR}/glue/${name}.cpp)
-    course_options(${name})
+    course_options(${name} ${ARG_OPTIONS})
     target_link_libraries(${name} PRIVATE ${ARG_LINK})
     target_precompile_headers(${name} PRIVATE ${ARG_HEADERS})
 endfunction()
@@ -223,8 +228,7 @@ function(course_entry kind folder name)
     set(target ${name}_${kind})
     add_library(${target} OBJECT EXCLUDE_FROM_ALL
                 ${CMAKE_BINARY_DIR}/glue/${target}.cpp)
-    course_options(${target})
-    target_compile_options(${target} PRIVATE -fPIC)
+    course_options(${target} -fPIC)
     target_compile_definitions(${target} PRIVATE ${ARG_DEFINITIONS})
     set(entry $<TARGET_OBJECTS:${target}>)
     set(file ${CMAKE_BINARY_DIR}/student/${folder}/${name}.o)
@@ -233,8 +237,7 @@ function(course_entry kind folder name)
     if(ARG_REFERENCES)
         set(references ${target}_references)
         add_library(${references} OBJECT EXCLUDE_FROM_ALL ${ARG_REFERENCES})
-        course_options(${references})
-        target_compile_options(${references} PRIVATE -fPIC)
+        course_options(${references} -fPIC)
         target_compile_definitions(${references} PRIVATE ${ARG_DEFINITIONS})
         set(before $<TARGET_OBJECTS:${references}>)
         set(weak ${CMAKE_BINARY_DIR}/glue/${target}_references.o)

@@ -16,6 +16,9 @@
 
 inline namespace COURSE_TABLE_NAMESPACE {
 
+static_assert(HalfEdgeTable::unwatched % HalfEdgeTable::last_visits_size == 0,
+              "what is allowed beyond the ring is a multiple of its size");
+
 namespace {
 
 std::int64_t word_of(const Visit& visit) {
@@ -134,9 +137,8 @@ std::vector<Visit> HalfEdgeTable::last_visits() const {
 void HalfEdgeTable::note_reads(std::int64_t reads,
                                const std::vector<Visit>& last) const {
     allow(reads_left() - reads);
-    const std::int64_t left = reads_left();
     for (std::size_t k = 0; k < last.size(); ++k)
-        ring_[(left + static_cast<std::int64_t>(last.size() - 1 - k)) &
+        ring_[(reads_left() + static_cast<std::int64_t>(last.size() - 1 - k)) &
               (ring_size - 1)] = word_of(last[k]);
 }
 

@@ -1,9 +1,24 @@
 // Which faces use which edge.
 #include "course/halfedge/edge_uses.h"
 
+#include <algorithm>
+
 #include "course/halfedge/build.h"
 
 namespace course {
+
+bool has_distinct_corners(FaceList::Face corners) {
+    constexpr std::size_t few = 16;
+    if (corners.size() > few) {
+        std::vector<int> sorted(corners.begin(), corners.end());
+        std::sort(sorted.begin(), sorted.end());
+        return std::adjacent_find(sorted.begin(), sorted.end()) == sorted.end();
+    }
+    for (std::size_t k = 1; k < corners.size(); ++k)
+        for (std::size_t j = 0; j < k; ++j)
+            if (corners[j] == corners[k]) return false;
+    return corners.size() >= 3;
+}
 
 std::vector<EdgeUse> edge_uses(const IndexedMesh& mesh) {
     require_countable(mesh.positions.size(),

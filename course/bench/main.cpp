@@ -27,7 +27,7 @@ namespace {
 
 struct Options {
     bool quick = false;
-    int rounds = 5;
+    int rounds = 12;
     std::vector<std::string> parts;
     std::vector<std::string> files;
 
@@ -69,6 +69,8 @@ private:
 /// What is measured together, in one mix, and printed as one table.
 class Mix {
 public:
+    explicit Mix(int rounds) : rounds_(rounds) {}
+
     /// Measured in a process of its own, with the memory it takes.
     void add_fresh(const std::string& what, const std::string& who,
                    const std::function<void()>& work) {
@@ -87,7 +89,8 @@ public:
             ->Iterations(1);
     }
 
-    /// Measured as often as it takes for a twentieth of a second.
+    /// Measured in many short runs: on a shared machine the best of them is
+    /// less of an accident than the best of a few long ones.
     void add_repeated(const std::string& what, const std::string& who,
                       const std::function<double()>& work) {
         times_.expect(what);
@@ -96,7 +99,8 @@ public:
                                          for (auto _ : state)
                                              benchmark::DoNotOptimize(work());
                                      })
-            ->MinTime(0.05);
+            ->MinTime(0.005)
+            ->Repetitions(4 * rounds_);
     }
 
     void run(const std::string& title, const std::vector<std::string>& who,
@@ -113,6 +117,7 @@ public:
     }
 
 private:
+    int rounds_;
     Results times_;
     Results peaks_;
 };
@@ -144,10 +149,10 @@ void require_same_sum(const Built& own, const Built& other, const Peer& peer) {
     }
 }
 
-void measure_mesh(const Case& one) {
+void measure_mesh(const Case& one, int rounds) {
     const std::vector<Peer> all = peers();
     std::vector<std::unique_ptr<Built>> built;
-    Mix mix;
+    Mix mix(rounds);
     for (const Peer& peer : all) {
         if (peer.table)
             mix.add_fresh("half-edges alone", peer.name,
@@ -170,9 +175,9 @@ void measure_mesh(const Case& one) {
 
 // ---- files
 
-void measure_file(const std::filesystem::path& file) {
+void measure_file(const std::filesystem::path& file, int rounds) {
     const std::vector<Peer> all = peers();
-    Mix mix;
+    Mix mix(rounds);
     const bool obj = file.extension() == ".obj";
     const auto add = [&](const char* what, const Peer& peer, Peer::Read read) {
         if (read) mix.add_fresh(what, peer.name, [=] { read(file); });
@@ -187,23 +192,23 @@ void measure_file(const std::filesystem::path& file) {
             names_of(all), bytes, "ns");
 }
 
-void measure_as_files(const Case& one) {
+void measure_as_files(const Case& one, int rounds) {
     const course::TemporaryFolder folder;
     course::write_obj(folder / (one.name + ".obj"), one.mesh);
     course::write_off(folder / (one.name + ".off"), one.mesh);
-    measure_file(folder / (one.name + ".obj"));
-    measure_file(folder / (one.name + ".off"));
+    measure_file(folder / (one.name + ".obj"), rounds);
+    measure_file(folder / (one.name + ".off"), rounds);
 }
 
 // ---- the subscript
 
-void measure_subscript(const Case& one) {
+void measure_subscript(const Case& one, int rounds) {
     const HalfEdgeTable he = course::build(one.mesh);
     std::vector<int> leaving(one.mesh.positions.size(), -1);
     for (int i = 0; i < he.size(); ++i)
         leaving[static_cast<std::size_t>(
             he.rows()[static_cast<std::size_t>(i)].vi)] = i;
-    Mix mix;
+    Mix mix(rounds);
     for (const Subscript& by : subscripts()) {
         mix.add_repeated(by.compiled, "checked", [&] {
             return static_cast<double>(
@@ -224,12 +229,12 @@ void measure_subscript(const Case& one) {
 void measure_made(const Options& options) {
     for (const std::string& name : made_meshes()) {
         const Case one = made_mesh(name, options.quick);
-        if (options.wants(name)) measure_mesh(one);
+        if (options.wants(name)) measure_mesh(one, options.rounds);
         if (options.wants("files") && name == "triangles_1M")
-            measure_as_files(one);
+            measure_as_files(one, options.rounds);
         if (options.wants("subscript") && name == "triangles_1M") {
-            measure_subscript(one);
-            measure_subscript(made_mesh(name, true));
+            measure_subscript(one, options.rounds);
+            measure_subscript(made_mesh(name, true), options.rounds);
         }
     }
 }
@@ -239,8 +244,8 @@ void measure(const Options& options) {
     if (options.files.empty() && options.wants("accepted"))
         count_accepted(options.quick ? 100 : 2000);
     for (const std::string& file : options.files) {
-        measure_mesh(mesh_of_file(file));
-        measure_file(file);
+        measure_mesh(mesh_of_file(file), options.rounds);
+        measure_file(file, options.rounds);
     }
 }
 

@@ -202,26 +202,27 @@ void measure_as_files(const Case& one, int rounds) {
 
 // ---- the subscript
 
-void measure_subscript(const Case& one, int rounds) {
+/// The traced one only where its events fit into memory.
+void measure_subscript(const Case& one, int rounds, bool traced) {
     const HalfEdgeTable he = course::build(one.mesh);
+    Rows rows;
     std::vector<int> leaving(one.mesh.positions.size(), -1);
-    for (int i = 0; i < he.size(); ++i)
-        leaving[static_cast<std::size_t>(
-            he.rows()[static_cast<std::size_t>(i)].vi)] = i;
+    for (const HalfEdge& row : he.rows()) {
+        leaving[static_cast<std::size_t>(row.vi)] =
+            static_cast<int>(rows.size());
+        rows.push_back({row.vi, row.fi, row.next, row.opp});
+    }
     Mix mix(rounds);
     for (const Subscript& by : subscripts()) {
-        mix.add_repeated(by.compiled, "checked", [&] {
-            return static_cast<double>(
-                by.checked(he, leaving.data(), one.mesh.vertex_count()));
-        });
-        mix.add_repeated(by.compiled, "raw pointer", [&] {
-            return static_cast<double>(by.raw(he.rows().data(), leaving.data(),
-                                              one.mesh.vertex_count()));
-        });
+        if (by.traced && !traced) continue;
+        const std::string what = fmt::format("{}, {}", by.compiled,
+                                             by.traced ? "traced" : "checked");
+        mix.add_repeated(what, "he[i]", by.table(rows, leaving));
+        mix.add_repeated(what, "raw pointer", by.raw(rows, leaving));
     }
     mix.run(fmt::format("he[i], all stars of {} half-edges; per half-edge",
                         he.size()),
-            {"checked", "raw pointer"}, he.size(), "ns");
+            {"he[i]", "raw pointer"}, he.size(), "ns");
 }
 
 // ---- the command
@@ -233,8 +234,8 @@ void measure_made(const Options& options) {
         if (options.wants("files") && name == "triangles_1M")
             measure_as_files(one, options.rounds);
         if (options.wants("subscript") && name == "triangles_1M") {
-            measure_subscript(one, options.rounds);
-            measure_subscript(made_mesh(name, true), options.rounds);
+            measure_subscript(one, options.rounds, false);
+            measure_subscript(made_mesh(name, true), options.rounds, true);
         }
     }
 }

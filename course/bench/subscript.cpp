@@ -1,6 +1,8 @@
 // The same walk by he[...] and by a raw pointer. Compiled once for each
-// compiler and level (see CMakeLists.txt).
+// compiler, level and build of the table (see CMakeLists.txt).
 #include "course/bench/subscript.h"
+
+#include "course/halfedge/half_edge_table.h"
 
 namespace {
 
@@ -16,7 +18,7 @@ long star(const Table& he, int start) {
     return sum;
 }
 
-long checked(const HalfEdgeTable& he, const int* leaving, int vertices) {
+long all_stars(const HalfEdgeTable& he, const int* leaving, int vertices) {
     long sum = 0;
     for (int v = 0; v < vertices; ++v) {
         he.begin_call(he.default_budget());
@@ -25,15 +27,47 @@ long checked(const HalfEdgeTable& he, const int* leaving, int vertices) {
     return sum;
 }
 
-long raw(const HalfEdge* he, const int* leaving, int vertices) {
+long all_stars(const HalfEdge* he, const int* leaving, int vertices) {
     long sum = 0;
     for (int v = 0; v < vertices; ++v)
         if (leaving[v] != -1) sum += star(he, leaving[v]);
     return sum;
 }
 
+std::vector<HalfEdge> half_edges(const bench::Rows& rows) {
+    std::vector<HalfEdge> result;
+    result.reserve(rows.size());
+    for (const auto& [vi, fi, next, opp] : rows)
+        result.push_back({vi, fi, next, opp});
+    return result;
+}
+
+std::function<double()> by_table(const bench::Rows& rows,
+                                 const std::vector<int>& leaving) {
+    return [he = HalfEdgeTable(half_edges(rows)), leaving] {
+#if COURSE_TABLE == 2
+        he.start_trace();
+#endif
+        const long sum =
+            all_stars(he, leaving.data(), static_cast<int>(leaving.size()));
+#if COURSE_TABLE == 2
+        he.stop_trace();
+#endif
+        return static_cast<double>(sum);
+    };
+}
+
+std::function<double()> by_pointer(const bench::Rows& rows,
+                                   const std::vector<int>& leaving) {
+    return [he = half_edges(rows), leaving] {
+        return static_cast<double>(all_stars(he.data(), leaving.data(),
+                                             static_cast<int>(leaving.size())));
+    };
+}
+
 const bool added = [] {
-    bench::subscripts().push_back({BENCH_COMPILED, raw, checked});
+    bench::subscripts().push_back(
+        {BENCH_COMPILED, COURSE_TABLE == 2, by_table, by_pointer});
     return true;
 }();
 

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <string>
+#include <tuple>
 
 #include "course/halfedge/table_errors.h"
 
@@ -203,6 +204,10 @@ std::array<int, 4> cells(const HalfEdge& row) {
     return {row.vi, row.fi, row.next, row.opp};
 }
 
+bool is_before(const Change& a, const Change& b) {
+    return std::tie(a.i, a.field) < std::tie(b.i, b.field);
+}
+
 }  // namespace
 
 std::int64_t TableNumber::next() {
@@ -219,6 +224,7 @@ void HalfEdgeTable::start_trace(std::size_t most) const {
 }
 
 std::vector<TraceEvent> HalfEdgeTable::stop_trace() const {
+    lend_all();  // who knows what was cast to it
     note_changes();
     trace_log.running = false;
     return std::move(trace_log.events);
@@ -257,20 +263,45 @@ void HalfEdgeTable::add_event(TraceEvent::Kind kind, int i, std::int64_t place,
                    reinterpret_cast<std::uintptr_t>(frame)});
 }
 
+void HalfEdgeTable::lend(HalfEdgeIndex i) const {
+    const auto at = static_cast<std::size_t>(i.i());
+    if (at >= is_lent_.size()) is_lent_.resize(rows_.size());
+    if (is_lent_[at]) return;
+    is_lent_[at] = true;
+    lent_.push_back(i.i());
+}
+
+void HalfEdgeTable::lend_all() const {
+    for (int i = 0; i < size(); ++i) lend(i);
+}
+
 void HalfEdgeTable::note_changes() const {
     if (!trace_log.is_open() || last_event_ >= trace_log.events.size() ||
         trace_log.index_of(number_.get()) < 0)
         return;
+    const std::size_t known = std::min(shadow_.size(), rows_.size());
     shadow_.resize(rows_.size());
-    for (std::size_t i = 0; i < rows_.size(); ++i) {
-        const auto before = cells(shadow_[i]), after = cells(rows_[i]);
-        for (std::size_t field = 0; field < 4; ++field)
-            if (before[field] != after[field])
-                trace_log.events[last_event_].changes.push_back(
-                    {static_cast<int>(i), static_cast<int>(field),
-                     before[field], after[field]});
-        shadow_[i] = rows_[i];
+    for (const int i : lent_)
+        if (static_cast<std::size_t>(i) < known) note_changes_of(i);
+    for (std::size_t i = known; i < rows_.size(); ++i)
+        note_changes_of(static_cast<int>(i));
+}
+
+void HalfEdgeTable::note_changes_of(int i) const {
+    const auto at = static_cast<std::size_t>(i);
+    if (shadow_[at] == rows_[at]) return;
+    const auto before = cells(shadow_[at]), after = cells(rows_[at]);
+    std::vector<Change>& changes = trace_log.events[last_event_].changes;
+    for (int field = 0; field < 4; ++field) {
+        const auto f = static_cast<std::size_t>(field);
+        if (before[f] == after[f]) continue;
+        const Change change{i, field, before[f], after[f]};
+        // In the order of the table.
+        changes.insert(
+            std::upper_bound(changes.begin(), changes.end(), change, is_before),
+            change);
     }
+    shadow_[at] = rows_[at];
 }
 
 void HalfEdgeTable::note(HalfEdgeIndex at) const {

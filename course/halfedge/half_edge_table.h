@@ -293,6 +293,8 @@ private:
         return rows_.data() + static_cast<std::size_t>(i);
     }
     void charge() const {}
+    static void lend(int) {}
+    static void lend_all() {}
 };
 #else
     static constexpr int ring_size = last_visits_size;
@@ -334,11 +336,16 @@ private:
     void note(HalfEdgeIndex at) const {
         ring_[slot_] = at.word;
     }
+    static void lend(HalfEdgeIndex) {}
+    static void lend_all() {}
 };
 #else
     void note(HalfEdgeIndex at) const;
     void append(const HalfEdge& row, std::int64_t place, const void* frame);
+    void lend(HalfEdgeIndex i) const;
+    void lend_all() const;
     void note_changes() const;
+    void note_changes_of(int i) const;
     void begin_events() const;
     void add_event(TraceEvent::Kind kind, int i, std::int64_t place,
                    const void* frame) const;
@@ -346,6 +353,10 @@ private:
     TableNumber number_;
     mutable std::vector<HalfEdge> shadow_;  // the rows at the last event
     mutable std::size_t last_event_ = 0;    // of this table
+    // Rows that may be written to: to look at all of them at each event would
+    // make a trace quadratic.
+    mutable std::vector<int> lent_;
+    mutable std::vector<bool> is_lent_;
 };
 #endif
 #endif
@@ -366,6 +377,7 @@ COURSE_INLINE HalfEdgeTable& HalfEdgeTable::operator=(
     HalfEdgeTable&&) noexcept = default;
 #if COURSE_TABLE == 2
 COURSE_INLINE HalfEdgeTable::~HalfEdgeTable() {
+    lend_all();
     note_changes();
 }
 #else
@@ -380,7 +392,9 @@ COURSE_INLINE const HalfEdge& HalfEdgeTable::operator[](HalfEdgeIndex i) const {
     return *row(i);
 }
 COURSE_INLINE HalfEdge& HalfEdgeTable::operator[](HalfEdgeIndex i) {
-    return *const_cast<HalfEdge*>(row(i));
+    auto* const row_i = const_cast<HalfEdge*>(row(i));
+    lend(i);
+    return *row_i;
 }
 COURSE_INLINE int HalfEdgeTable::size() const {
     return static_cast<int>(rows_.size());
@@ -395,9 +409,11 @@ COURSE_INLINE void HalfEdgeTable::push_back(const HalfEdge& row) {
 #endif
 COURSE_INLINE HalfEdgeTable::iterator HalfEdgeTable::begin() {
     charge();
+    lend_all();
     return rows_.data();
 }
 COURSE_INLINE HalfEdgeTable::iterator HalfEdgeTable::end() {
+    lend_all();
     return rows_.data() + rows_.size();
 }
 COURSE_INLINE HalfEdgeTable::const_iterator HalfEdgeTable::begin() const {

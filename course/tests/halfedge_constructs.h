@@ -130,6 +130,8 @@ inline const std::vector<Construct> constructs = {
 {"an auto copy of a row", RUN { auto h = he[i]; h.next = 9; return he[i].next + h.next; }, "20"},
 {"a const reference to a row sees a change", RUN { const auto& h = he[i]; he[i].next = 9; return h.next; }, "9 he[4].next=9"},
 {"a reference to a row", RUN { HalfEdge& h = he[i]; h.opp = 5; h.fi += 2; return h.opp + h.fi; }, "8 he[4].fi=3 he[4].opp=5"},
+{"a reference that is written later", RUN { HalfEdge& h = he[i]; int sum = 0; for (int k = 0; k < 12; ++k) sum += he[k].vi; h.next = sum; return he[i].next; }, "26 he[4].next=26"},
+{"a cast of a const row", RUN { const HalfEdgeTable& same = he; const_cast<HalfEdge&>(same[i]).next = 9; return same[i].next; }, "9 he[4].next=9"},
 {"an auto reference to a row", RUN { auto& h = he[i]; h.vi = h.next; return h.vi; }, "11 he[4].vi=11"},
 {"a pointer to a row", RUN { HalfEdge* h = &he[i]; h->next = 2; return (*h).next; }, "2 he[4].next=2"},
 {"a row taken apart", RUN { auto [v, f, n, o] = he[i]; n = 0; return v + f + n + o; }, "5"},

@@ -224,8 +224,7 @@ void HalfEdgeTable::start_trace(std::size_t most) const {
 }
 
 std::vector<TraceEvent> HalfEdgeTable::stop_trace() const {
-    lend_all();  // who knows what was cast to it
-    note_changes();
+    note_all_changes();
     trace_log.running = false;
     return std::move(trace_log.events);
 }
@@ -275,16 +274,27 @@ void HalfEdgeTable::lend_all() const {
     for (int i = 0; i < size(); ++i) lend(i);
 }
 
+/// Whether there is an event to which changes could belong.
+bool HalfEdgeTable::is_recorded() const {
+    return trace_log.is_open() && last_event_ < trace_log.events.size() &&
+           trace_log.index_of(number_.get()) >= 0;
+}
+
 void HalfEdgeTable::note_changes() const {
-    if (!trace_log.is_open() || last_event_ >= trace_log.events.size() ||
-        trace_log.index_of(number_.get()) < 0)
-        return;
+    if (!is_recorded()) return;
     const std::size_t known = std::min(shadow_.size(), rows_.size());
     shadow_.resize(rows_.size());
     for (const int i : lent_)
         if (static_cast<std::size_t>(i) < known) note_changes_of(i);
     for (std::size_t i = known; i < rows_.size(); ++i)
         note_changes_of(static_cast<int>(i));
+}
+
+/// Also those of rows that were never handed out, but cast to be written.
+void HalfEdgeTable::note_all_changes() const {
+    note_changes();
+    if (!is_recorded()) return;
+    for (int i = 0; i < size(); ++i) note_changes_of(i);
 }
 
 void HalfEdgeTable::note_changes_of(int i) const {

@@ -344,7 +344,9 @@ private:
     void append(const HalfEdge& row, std::int64_t place, const void* frame);
     void lend(HalfEdgeIndex i) const;
     void lend_all() const;
+    bool is_recorded() const;
     void note_changes() const;
+    void note_all_changes() const;
     void note_changes_of(int i) const;
     void begin_events() const;
     void add_event(TraceEvent::Kind kind, int i, std::int64_t place,
@@ -377,8 +379,7 @@ COURSE_INLINE HalfEdgeTable& HalfEdgeTable::operator=(
     HalfEdgeTable&&) noexcept = default;
 #if COURSE_TABLE == 2
 COURSE_INLINE HalfEdgeTable::~HalfEdgeTable() {
-    lend_all();
-    note_changes();
+    note_all_changes();
 }
 #else
 COURSE_INLINE HalfEdgeTable::~HalfEdgeTable() = default;

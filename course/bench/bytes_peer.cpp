@@ -27,9 +27,13 @@ public:
         std::int64_t sum = 0;
         for (const HalfEdge& row : rows_)
             sum += row.vi + row.fi + row.next + row.opp;
-        if (walk != Walk::vertex_normals) return static_cast<double>(sum);
-        std::vector<Vec3> normals = positions_;
-        keep(normals.data());
+        if (walk == Walk::vertex_normals) {
+            const std::vector<Vec3> normals = positions_;
+            keep(normals.data());
+        } else if (walk == Walk::back_to_faces) {
+            const std::vector<int> corners(rows_.size(), rows_.front().vi);
+            keep(corners.data());
+        }
         return static_cast<double>(sum);
     }
 

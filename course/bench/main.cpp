@@ -130,12 +130,13 @@ std::vector<std::string> names_of(const std::vector<Peer>& all) {
 
 // ---- building and walking
 
-constexpr std::array<std::pair<Walk, const char*>, 5> walks = {
+constexpr std::array<std::pair<Walk, const char*>, 6> walks = {
     {{Walk::stars, "all stars"},
      {Walk::faces, "all faces"},
      {Walk::adjacent_faces, "adjacent faces"},
      {Walk::border_loops, "border loops"},
-     {Walk::vertex_normals, "vertex normals"}}};
+     {Walk::vertex_normals, "vertex normals"},
+     {Walk::back_to_faces, "back to faces"}}};
 
 /// The sums of the peers tell whether they walked on the same mesh.
 void require_same_sum(const Built& own, const Built& other, const Peer& peer) {

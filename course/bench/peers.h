@@ -11,9 +11,16 @@
 
 namespace bench {
 
-/// The walks over a whole mesh. Each returns a sum that is the same whoever
-/// walks.
-enum class Walk { stars, faces, adjacent_faces, border_loops, vertex_normals };
+/// The walks over a whole mesh, the last one back to lists of corners. Each
+/// returns a sum that is the same whoever walks.
+enum class Walk {
+    stars,
+    faces,
+    adjacent_faces,
+    border_loops,
+    vertex_normals,
+    back_to_faces
+};
 
 /// A mesh in the structure of one library, ready for walks.
 class Built {

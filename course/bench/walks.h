@@ -9,6 +9,7 @@
 #pragma once
 
 #include <cstddef>
+#include <numeric>
 #include <vector>
 
 #include "course/bench/peers.h"
@@ -123,6 +124,30 @@ double sum_of_vertex_normals(const Mesh& mesh) {
     return sum;
 }
 
+inline double sum_of_corners(const FaceList& faces) {
+    const std::vector<int>& corners = faces.corners();
+    return static_cast<double>(
+        std::accumulate(corners.begin(), corners.end(), std::int64_t{0}));
+}
+
+template <class Mesh>
+FaceList faces_of(const Mesh& mesh) {
+    FaceList faces;
+    faces.reserve(at(mesh.faces()), at(mesh.half_edges()));
+    std::vector<int> corners;
+    for (int f = 0; f < mesh.faces(); ++f) {
+        corners.clear();
+        const int start = mesh.along(f);
+        int h = start;
+        do {
+            corners.push_back(mesh.corner(h));
+            h = mesh.next(h);
+        } while (h != start);
+        faces.push_back(corners);
+    }
+    return faces;
+}
+
 template <class Mesh>
 double sum_of(const Mesh& mesh, Walk walk) {
     switch (walk) {
@@ -136,6 +161,8 @@ double sum_of(const Mesh& mesh, Walk walk) {
             return sum_of_border_loops(mesh);
         case Walk::vertex_normals:
             return sum_of_vertex_normals(mesh);
+        case Walk::back_to_faces:
+            return sum_of_corners(faces_of(mesh));
     }
     return 0;
 }

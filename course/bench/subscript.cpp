@@ -18,19 +18,13 @@ long star(const Table& he, int start) {
     return sum;
 }
 
-long all_stars(const HalfEdgeTable& he, const int* leaving, int vertices) {
+template <class Table>
+long all_stars(const Table& he, const std::vector<int>& leaving) {
     long sum = 0;
-    for (int v = 0; v < vertices; ++v) {
-        he.begin_call(he.default_budget());
-        if (leaving[v] != -1) sum += star(he, leaving[v]);
-    }
-    return sum;
-}
-
-long all_stars(const HalfEdge* he, const int* leaving, int vertices) {
-    long sum = 0;
+    const int* const starts = leaving.data();
+    const int vertices = static_cast<int>(leaving.size());
     for (int v = 0; v < vertices; ++v)
-        if (leaving[v] != -1) sum += star(he, leaving[v]);
+        if (starts[v] != -1) sum += star(he, starts[v]);
     return sum;
 }
 
@@ -45,11 +39,11 @@ std::vector<HalfEdge> half_edges(const bench::Rows& rows) {
 std::function<double()> by_table(const bench::Rows& rows,
                                  const std::vector<int>& leaving) {
     return [he = HalfEdgeTable(half_edges(rows)), leaving] {
+        he.begin_call(he.default_budget());
 #if COURSE_TABLE == 2
         he.start_trace();
 #endif
-        const long sum =
-            all_stars(he, leaving.data(), static_cast<int>(leaving.size()));
+        const long sum = all_stars(he, leaving);
 #if COURSE_TABLE == 2
         he.stop_trace();
 #endif
@@ -60,8 +54,7 @@ std::function<double()> by_table(const bench::Rows& rows,
 std::function<double()> by_pointer(const bench::Rows& rows,
                                    const std::vector<int>& leaving) {
     return [he = half_edges(rows), leaving] {
-        return static_cast<double>(all_stars(he.data(), leaving.data(),
-                                             static_cast<int>(leaving.size())));
+        return static_cast<double>(all_stars(he.data(), leaving));
     };
 }
 

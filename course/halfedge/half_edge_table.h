@@ -83,15 +83,14 @@ using HalfEdgeIndex = int;
 #elif COURSE_TABLE == 1
 /// What he[...] takes: an int, and the line it is written on. Students never
 /// name it. One word, with the line in its upper half: to hand over two makes
-/// the subscript half as slow again where nothing is optimised. What makes it
-/// is const, so that g++ takes the line as the constant that it is, there too.
+/// the subscript half as slow again where nothing is optimised.
 struct HalfEdgeIndex {
     std::int64_t word;
 
     // NOLINTNEXTLINE(google-explicit-constructor): he[i] converts i to it
     [[gnu::always_inline]] constexpr HalfEdgeIndex(
-        const int index,
-        const std::int64_t line_above = std::int64_t{__builtin_LINE()} << 32)
+        int index,
+        std::int64_t line_above = std::int64_t{__builtin_LINE()} << 32)
         : word(line_above | static_cast<std::uint32_t>(index)) {}
 
     constexpr int i() const { return static_cast<int>(word); }

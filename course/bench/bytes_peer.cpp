@@ -31,7 +31,7 @@ public:
             const std::vector<Vec3> normals = positions_;
             keep(normals.data());
         } else if (walk == Walk::back_to_faces) {
-            const std::vector<int> corners(rows_.size(), rows_.front().vi);
+            const std::vector<int> corners(rows_.size(), 1);
             keep(corners.data());
         }
         return static_cast<double>(sum);

@@ -131,7 +131,7 @@ inline double sum_of_corners(const FaceList& faces) {
 }
 
 template <class Mesh>
-FaceList faces_of(const Mesh& mesh) {
+FaceList back_to_faces(const Mesh& mesh) {
     FaceList faces;
     faces.reserve(at(mesh.faces()), at(mesh.half_edges()));
     std::vector<int> corners;
@@ -162,7 +162,7 @@ double sum_of(const Mesh& mesh, Walk walk) {
         case Walk::vertex_normals:
             return sum_of_vertex_normals(mesh);
         case Walk::back_to_faces:
-            return sum_of_corners(faces_of(mesh));
+            return sum_of_corners(back_to_faces(mesh));
     }
     return 0;
 }
